@@ -1,0 +1,1 @@
+"""One pose, this body, this ground."""

@@ -1,0 +1,58 @@
+"""How a kernel is compiled: one decorator, and a cache that notices every edit.
+
+Numba's on-disk cache looks only at the file of the function itself: after an edit to a helper
+in another module the old machine code would keep running. So the cache folder is named by a
+hash of the whole source tree.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import sys
+import tempfile
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any, TypeVar, cast
+
+import numba  # pyright: ignore[reportMissingTypeStubs]
+from numba.core import config as numba_config  # pyright: ignore[reportMissingTypeStubs]
+
+__all__ = ["kernel"]
+
+Function = TypeVar("Function", bound=Callable[..., Any])
+
+
+def _source_digest() -> str:
+    digest = hashlib.sha256(f"{sys.version} {numba.__version__}".encode())
+    root = Path(__file__).parent
+    for path in sorted(root.rglob("*.py")):
+        digest.update(str(path.relative_to(root)).encode())
+        digest.update(path.read_bytes())
+    return digest.hexdigest()[:16]
+
+
+def _cache_folder() -> Path:
+    """Return the folder of this source tree's machine code, below the user's cache."""
+    base = os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache"
+    folder = Path(base) / "footfall" / _source_digest()
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError:
+        folder = Path(tempfile.gettempdir()) / f"footfall-{os.getuid()}" / _source_digest()
+        folder.mkdir(parents=True, exist_ok=True)
+    return folder
+
+
+_numba_config: Any = numba_config
+_numba_config.CACHE_DIR = str(_cache_folder())
+
+
+def kernel(function: Function) -> Function:
+    """Compile a function on arrays of one character, or on scalars.
+
+    A kernel trusts its input, allocates nothing that outlives it, and divides as NumPy does.
+    It keeps its Python signature, so that callers are type-checked as usual.
+    """
+    compiled: Any = numba.njit(cache=True, nogil=True, error_model="numpy")(function)  # pyright: ignore[reportUnknownMemberType]
+    return cast(Function, compiled)

@@ -1,0 +1,85 @@
+"""Every error of the project.
+
+FootfallError
+├── SkeletonError            a body that cannot be used (also ValueError)
+├── ClipError                a motion that cannot be used (also ValueError)
+├── SupportSequenceError     a sequence of support phases that breaks its rules (also ValueError)
+├── FileFormatError          a file that cannot be read; knows its path and line (also ValueError)
+├── ScenarioError            a cue sheet that cannot be played (also ValueError)
+├── ArgumentError            an argument out of its range (also ValueError)
+└── UnknownNameError         a name that is not there; lists those that are (also LookupError)
+
+Each message says what is wrong and where, with the numbers, then what would be right.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from pathlib import Path
+
+__all__ = [
+    "ArgumentError",
+    "ClipError",
+    "FileFormatError",
+    "FootfallError",
+    "ScenarioError",
+    "SkeletonError",
+    "SupportSequenceError",
+    "UnknownNameError",
+]
+
+
+class FootfallError(Exception):
+    """Anything this project has to say about what it was given."""
+
+
+class SkeletonError(FootfallError, ValueError):
+    """A body cannot be used."""
+
+
+class ClipError(FootfallError, ValueError):
+    """A motion cannot be used."""
+
+
+class SupportSequenceError(FootfallError, ValueError):
+    """A sequence of support phases breaks its rules."""
+
+
+class ScenarioError(FootfallError, ValueError):
+    """A cue sheet cannot be played."""
+
+
+class ArgumentError(FootfallError, ValueError):
+    """An argument is out of its range."""
+
+
+class FileFormatError(FootfallError, ValueError):
+    """A file cannot be read.
+
+    Attributes:
+        problem: What is wrong and what would be right.
+        path: The file.
+        line: Its line, counted from 1, or None where the whole file is meant.
+    """
+
+    def __init__(self, problem: str, *, path: Path | str, line: int | None = None) -> None:
+        self.problem = problem
+        self.path = Path(path)
+        self.line = line
+        where = f"{path}" if line is None else f"{path}:{line}"
+        super().__init__(f"{where}: {problem}")
+
+
+class UnknownNameError(FootfallError, LookupError):
+    """A name is not there.
+
+    Attributes:
+        name: The name that was asked for.
+        known: The names that exist.
+    """
+
+    def __init__(self, kind: str, name: str, known: Iterable[str]) -> None:
+        self.name = name
+        self.known = tuple(known)
+        there = ", ".join(self.known) if self.known else "none yet"
+        super().__init__(f"no {kind} named {name!r}; there are: {there}")

@@ -1,0 +1,27 @@
+"""Mathematics that has never heard of a character."""
+
+from footfall.geometry.rotations import (
+    blend_rotations,
+    conjugate,
+    continuous,
+    from_axis_angle,
+    from_euler,
+    from_yaw,
+    multiply,
+    rotate,
+    slerp,
+    to_euler,
+)
+
+__all__ = [
+    "blend_rotations",
+    "conjugate",
+    "continuous",
+    "from_axis_angle",
+    "from_euler",
+    "from_yaw",
+    "multiply",
+    "rotate",
+    "slerp",
+    "to_euler",
+]

@@ -1,0 +1,134 @@
+"""Quaternions (wxyz), component by component: one source for scalars in kernels and for arrays.
+
+Each function takes and returns components, uses only arithmetic, and therefore means the same
+on four numbers inside a kernel and on four arrays outside (`rotations` wraps it for arrays).
+"""
+
+from __future__ import annotations
+
+import math
+
+from footfall.compilation import kernel
+
+__all__ = [
+    "between",
+    "conjugate_rotate",
+    "from_yaw",
+    "nlerp",
+    "normalize",
+    "product",
+    "quotient",
+    "rotate",
+    "yaw_of",
+]
+
+
+@kernel
+def product(
+    aw: float, ax: float, ay: float, az: float, bw: float, bx: float, by: float, bz: float
+) -> tuple[float, float, float, float]:
+    """Return a b: first b, then a."""
+    return (
+        aw * bw - ax * bx - ay * by - az * bz,
+        aw * bx + ax * bw + ay * bz - az * by,
+        aw * by - ax * bz + ay * bw + az * bx,
+        aw * bz + ax * by - ay * bx + az * bw,
+    )
+
+
+@kernel
+def quotient(
+    aw: float, ax: float, ay: float, az: float, bw: float, bx: float, by: float, bz: float
+) -> tuple[float, float, float, float]:
+    """Return a⁻¹ b: b as seen from a."""
+    return (
+        aw * bw + ax * bx + ay * by + az * bz,
+        aw * bx - ax * bw - ay * bz + az * by,
+        aw * by + ax * bz - ay * bw - az * bx,
+        aw * bz - ax * by + ay * bx - az * bw,
+    )
+
+
+@kernel
+def rotate(
+    qw: float, qx: float, qy: float, qz: float, x: float, y: float, z: float
+) -> tuple[float, float, float]:
+    """Return the vector (x, y, z) rotated by q."""
+    tx = 2.0 * (qy * z - qz * y)
+    ty = 2.0 * (qz * x - qx * z)
+    tz = 2.0 * (qx * y - qy * x)
+    return (
+        x + qw * tx + qy * tz - qz * ty,
+        y + qw * ty + qz * tx - qx * tz,
+        z + qw * tz + qx * ty - qy * tx,
+    )
+
+
+@kernel
+def conjugate_rotate(
+    qw: float, qx: float, qy: float, qz: float, x: float, y: float, z: float
+) -> tuple[float, float, float]:
+    """Return the vector (x, y, z) rotated by q⁻¹."""
+    return rotate(qw, -qx, -qy, -qz, x, y, z)
+
+
+@kernel
+def normalize(qw: float, qx: float, qy: float, qz: float) -> tuple[float, float, float, float]:
+    """Return q scaled to unit length; the identity where q is zero."""
+    length = math.sqrt(qw * qw + qx * qx + qy * qy + qz * qz)
+    if length == 0.0:
+        return (1.0, 0.0, 0.0, 0.0)
+    scale = 1.0 / length
+    return (qw * scale, qx * scale, qy * scale, qz * scale)
+
+
+@kernel
+def nlerp(
+    aw: float,
+    ax: float,
+    ay: float,
+    az: float,
+    bw: float,
+    bx: float,
+    by: float,
+    bz: float,
+    fraction: float,
+) -> tuple[float, float, float, float]:
+    """Return the normalized mix of a (fraction 0) and b (fraction 1), the short way round."""
+    other = fraction if aw * bw + ax * bx + ay * by + az * bz >= 0.0 else -fraction
+    one = 1.0 - fraction
+    return normalize(
+        one * aw + other * bw, one * ax + other * bx, one * ay + other * by, one * az + other * bz
+    )
+
+
+@kernel
+def between(
+    ax: float, ay: float, az: float, bx: float, by: float, bz: float
+) -> tuple[float, float, float, float]:
+    """Return the shortest rotation that turns direction a into direction b.
+
+    The identity where either vector is zero; half a turn about some axis across a where they
+    are opposed.
+    """
+    scale = math.sqrt((ax * ax + ay * ay + az * az) * (bx * bx + by * by + bz * bz))
+    if scale == 0.0:
+        return (1.0, 0.0, 0.0, 0.0)
+    w = scale + ax * bx + ay * by + az * bz
+    if w < 1e-9 * scale:
+        if abs(ax) < abs(ay):
+            return normalize(0.0, 0.0, -az, ay)
+        return normalize(0.0, az, 0.0, -ax)
+    return normalize(w, ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx)
+
+
+@kernel
+def from_yaw(yaw: float) -> tuple[float, float, float, float]:
+    """Return the rotation by an angle [rad] about the vertical, +y; positive turns z to x."""
+    return (math.cos(0.5 * yaw), 0.0, math.sin(0.5 * yaw), 0.0)
+
+
+@kernel
+def yaw_of(qw: float, qy: float) -> float:
+    """Return the angle [rad] of the twist about the vertical of a rotation with these w and y."""
+    return 2.0 * math.atan2(qy, qw)

@@ -1,0 +1,5 @@
+"""A body in time."""
+
+from footfall.motion.clip import Clip
+
+__all__ = ["Clip"]

@@ -1,0 +1,1 @@
+"""Motions made here, with exactly known supports."""

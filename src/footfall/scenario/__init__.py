@@ -1,0 +1,1 @@
+"""A cue sheet: what starts and stops when."""

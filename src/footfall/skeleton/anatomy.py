@@ -1,0 +1,82 @@
+"""Which joint is a hip, a knee, an ankle, a toe; which joints move with the arms."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import IntEnum
+
+from footfall.arrays import Indices
+
+__all__ = ["Anatomy", "BodyPart", "FootPoint", "Leg"]
+
+
+class BodyPart(IntEnum):
+    """A part of the body with a priority of its own."""
+
+    LEGS = 0
+    """The legs, the pelvis, and with them the way through the world."""
+
+    TRUNK = 1
+    """The spine."""
+
+    HEAD = 2
+    """Neck and head."""
+
+    LEFT_ARM = 3
+    """Left clavicle to left fingers."""
+
+    RIGHT_ARM = 4
+    """Right clavicle to right fingers."""
+
+
+@dataclass(frozen=True, slots=True)
+class FootPoint:
+    """A point of a foot that can carry the body."""
+
+    joint: int
+    """The joint it moves with: an ankle or a toe joint."""
+
+    offset: tuple[float, float, float]
+    """Where it sits in that joint's frame [m]."""
+
+
+@dataclass(frozen=True, slots=True)
+class Leg:
+    """One leg, by joint indices."""
+
+    hip: int
+    """The upper end of the thigh."""
+
+    knee: int
+    """The upper end of the shank."""
+
+    ankle: int
+    """The lower end of the shank; its rotation is the foot's."""
+
+    heel: FootPoint
+    """The hind point of the foot: the ankle joint itself, where nothing better is known."""
+
+    toe: FootPoint
+    """The fore point of the foot: the toe joint, or else the tip of the foot's bone."""
+
+
+@dataclass(frozen=True, eq=False)
+class Anatomy:
+    """What the joints of a skeleton are, and why that was concluded."""
+
+    left: Leg
+    """The left leg."""
+
+    right: Leg
+    """The right leg."""
+
+    parts: Indices
+    """The `BodyPart` of each joint, shape (joints,)."""
+
+    reasons: tuple[str, ...]
+    """One sentence for each conclusion, for `footfall info`."""
+
+    @property
+    def legs(self) -> tuple[Leg, Leg]:
+        """The left and the right leg, in the order of all arrays over feet."""
+        return (self.left, self.right)

@@ -1,0 +1,1 @@
+"""Which phases are played together: indices, no clock."""
