@@ -1,0 +1,128 @@
+"""The analytic limb: two bones that reach for a point, softly where it is far.
+
+Nothing here asks which limb it is. The bend stays in the plane it is in; only where the limb is
+so straight that there is no plane does the hint decide.
+"""
+
+from __future__ import annotations
+
+import math
+
+from footfall.compilation import kernel
+from footfall.geometry import quaternions
+
+__all__ = ["LONGEST_REACH", "SOFT_REACH", "reach_point", "softened_reach"]
+
+SOFT_REACH = 0.985
+"""Extension (share of the limb's length) beyond which a target is approached softly, unless
+the limb is already straighter than that."""
+
+LONGEST_REACH = 0.9995
+"""Extension that is never exceeded: a perfectly straight limb has no bending plane."""
+
+_HINT_SHARE = 0.02
+"""Pull of the hint on the bending direction; it decides below about one degree of bend."""
+
+
+@kernel
+def softened_reach(distance: float, length: float, present: float) -> float:
+    """Return how far a limb extends for a target at this distance.
+
+    The distance itself up to the soft limit, then ever less, never beyond `LONGEST_REACH`: the
+    limb approaches full extension without snapping into it.
+
+    Args:
+        distance: From the limb's start to its target [m].
+        length: Of both bones together [m].
+        present: The limb's extension before [m]: a limb that is already straight may stay so.
+    """
+    longest = LONGEST_REACH * length
+    start = min(max(SOFT_REACH * length, present), longest)
+    room = longest - start
+    if distance <= start:
+        return distance
+    if room <= 1e-9 * length:
+        return longest
+    return start + room * (1.0 - math.exp(-(distance - start) / room))
+
+
+@kernel
+def _bent_length(upper: float, lower: float, distance: float) -> float:
+    """Return how far along the line to the target the middle joint stands [m]."""
+    return (upper * upper + distance * distance - lower * lower) / (2.0 * distance)
+
+
+@kernel
+def reach_point(
+    start: tuple[float, float, float],
+    middle: tuple[float, float, float],
+    end: tuple[float, float, float],
+    target: tuple[float, float, float],
+    hint: tuple[float, float, float],
+) -> tuple[
+    tuple[float, float, float, float],
+    tuple[float, float, float, float],
+    tuple[float, float, float],
+    tuple[float, float, float],
+]:
+    """Turn both bones of a limb so that its end reaches for a target.
+
+    Args:
+        start: The limb's fixed joint: a hip [m].
+        middle: Its bending joint: a knee [m].
+        end: Its end: an ankle [m].
+        target: Where the end should be [m].
+        hint: The direction in which the middle joint bends where the limb is straight.
+
+    Returns:
+        The rotations (wxyz) that turn the upper and the lower bone from where they were, both
+        in the frame of the arguments; the new middle joint [m]; the new end [m]. Two limbs of
+        zero length, or a target on the start, leave the limb as it is.
+    """
+    ux, uy, uz = middle[0] - start[0], middle[1] - start[1], middle[2] - start[2]
+    lx, ly, lz = end[0] - middle[0], end[1] - middle[1], end[2] - middle[2]
+    ex, ey, ez = end[0] - start[0], end[1] - start[1], end[2] - start[2]
+    tx, ty, tz = target[0] - start[0], target[1] - start[1], target[2] - start[2]
+    upper = math.sqrt(ux * ux + uy * uy + uz * uz)
+    lower = math.sqrt(lx * lx + ly * ly + lz * lz)
+    present = math.sqrt(ex * ex + ey * ey + ez * ez)
+    distance = math.sqrt(tx * tx + ty * ty + tz * tz)
+    none = (1.0, 0.0, 0.0, 0.0)
+    if min(upper, lower, present, distance) < 1e-9:
+        return none, none, middle, end
+    reach = softened_reach(distance, upper + lower, present)
+    reach = max(reach, abs(upper - lower) + 1e-6 * (upper + lower))
+    dx, dy, dz = tx / distance, ty / distance, tz / distance
+    sw, sx, sy, sz = quaternions.between(ex, ey, ez, tx, ty, tz)
+    # The bending direction: across the line to the target, towards the swung middle joint.
+    px, py, pz = quaternions.rotate(sw, sx, sy, sz, ux / upper, uy / upper, uz / upper)
+    gx, gy, gz = px, py, pz
+    px, py, pz = (
+        px + _HINT_SHARE * hint[0],
+        py + _HINT_SHARE * hint[1],
+        pz + _HINT_SHARE * hint[2],
+    )
+    along = px * dx + py * dy + pz * dz
+    px, py, pz = px - along * dx, py - along * dy, pz - along * dz
+    across = math.sqrt(px * px + py * py + pz * pz)
+    if across < 1e-9:
+        px, py, pz = -dy, dx, 0.0
+        if dx * dx + dy * dy < 1e-6:
+            px, py, pz = 1.0, 0.0, 0.0
+        across = math.sqrt(px * px + py * py + pz * pz)
+    bent = _bent_length(upper, lower, reach)
+    bent = min(max(bent, -upper), upper)
+    height = math.sqrt(max(upper * upper - bent * bent, 0.0)) / across
+    mx, my, mz = bent * dx + height * px, bent * dy + height * py, bent * dz + height * pz
+    uw, vx, vy, vz = quaternions.between(gx, gy, gz, mx, my, mz)
+    upper_turn = quaternions.product(uw, vx, vy, vz, sw, sx, sy, sz)
+    gx, gy, gz = quaternions.rotate(sw, sx, sy, sz, lx, ly, lz)
+    nx, ny, nz = reach * dx - mx, reach * dy - my, reach * dz - mz
+    lw, vx, vy, vz = quaternions.between(gx, gy, gz, nx, ny, nz)
+    lower_turn = quaternions.product(lw, vx, vy, vz, sw, sx, sy, sz)
+    return (
+        upper_turn,
+        lower_turn,
+        (start[0] + mx, start[1] + my, start[2] + mz),
+        (start[0] + reach * dx, start[1] + reach * dy, start[2] + reach * dz),
+    )
