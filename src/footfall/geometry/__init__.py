@@ -1,5 +1,6 @@
 """Mathematics that has never heard of a character."""
 
+from footfall.geometry.curves import cubic_hermite, rational_hermite
 from footfall.geometry.rotations import (
     blend_rotations,
     conjugate,
@@ -17,10 +18,12 @@ __all__ = [
     "blend_rotations",
     "conjugate",
     "continuous",
+    "cubic_hermite",
     "from_axis_angle",
     "from_euler",
     "from_yaw",
     "multiply",
+    "rational_hermite",
     "rotate",
     "slerp",
     "to_euler",

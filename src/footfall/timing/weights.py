@@ -1,0 +1,69 @@
+"""From priorities and levels to weights per body part, and to the duration of a slot (eq. 6)."""
+
+from __future__ import annotations
+
+from footfall.arrays import Seconds, Weights
+from footfall.compilation import kernel
+
+__all__ = ["normalize_weights", "slot_duration"]
+
+
+@kernel
+def normalize_weights(priorities: Weights, levels: Weights, out: Weights) -> None:
+    """Share each body part among the actions, and give what they leave to the neutral motion.
+
+    On one body part, with priority P and level L of each action and sums over the actions that
+    have a priority there,
+
+        weight  = P L / Σ P L · min(1, Σ L)        neutral = 1 - min(1, Σ L).
+
+    So a lone action at level 1 has weight exactly 1, actions at level 1 share by priority, an
+    action of level or priority 0 has weight exactly 0, the neutral motion has weight only
+    while the levels do not add up to one, a cross-fade with levels adding up to one never
+    shows it, and each weight is continuous in each level.
+
+    Args:
+        priorities: Priority of each seat's action for each body part, >= 0, shape
+            (seats, parts).
+        levels: Activation level of each seat, 0..1, shape (seats,); 0 for an empty seat.
+        out: The weights, shape (seats + 1, parts), summing to one over the rows; the last row
+            is the neutral motion.
+    """
+    seats = levels.shape[0]
+    for part in range(priorities.shape[1]):
+        total = 0.0
+        presence = 0.0
+        for seat in range(seats):
+            if priorities[seat, part] > 0.0:
+                total += priorities[seat, part] * levels[seat]
+                presence += levels[seat]
+        presence = min(presence, 1.0)
+        if total <= 0.0:
+            presence = 0.0
+        for seat in range(seats):
+            out[seat, part] = 0.0
+            if presence > 0.0 and priorities[seat, part] > 0.0:
+                out[seat, part] = priorities[seat, part] * levels[seat] / total * presence
+        out[seats, part] = 1.0 - presence
+
+
+@kernel
+def slot_duration(shares: Weights, natural_durations: Seconds, count: int) -> float:
+    """Return how long a slot lasts: the weighted mean of what its phases last (eq. 6).
+
+    Args:
+        shares: Leg weight of each action that votes, >= 0, shape (at least count,). They need
+            not sum to one: the actions that do not vote, and the neutral motion, which never
+            does, are left out. Where all are zero the plain mean is returned.
+        natural_durations: What each of their phases in this slot lasts at the clip's own
+            speed [s], shape (at least count,).
+        count: How many actions vote, >= 1; entries from there on are not read.
+    """
+    total = 0.0
+    weighted = 0.0
+    plain = 0.0
+    for voter in range(count):
+        total += shares[voter]
+        weighted += shares[voter] * natural_durations[voter]
+        plain += natural_durations[voter]
+    return weighted / total if total > 0.0 else plain / count
