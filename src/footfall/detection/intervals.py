@@ -1,0 +1,108 @@
+"""Stretches of time during which something holds: found in samples, cleaned of flicker."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from footfall.arrays import Flags, Floats
+
+__all__ = ["Interval", "covers", "held_runs", "without_short_ones"]
+
+
+@dataclass(frozen=True, slots=True)
+class Interval:
+    """A stretch of clip time; on a cycle it begins in [0, duration) and may end beyond it."""
+
+    start: float
+    """[s]"""
+
+    end: float
+    """[s]"""
+
+    start_confidence: float = 1.0
+    """How sharply it begins, 0 to 1; 1 also where the clip itself begins."""
+
+    end_confidence: float = 1.0
+    """How sharply it ends, 0 to 1; 1 also where the clip itself ends."""
+
+    @property
+    def duration(self) -> float:
+        """[s]."""
+        return self.end - self.start
+
+
+def held_runs(caught: Flags, kept: Flags) -> list[tuple[int, int]]:
+    """Return the runs that begin with a caught sample and last while samples are kept.
+
+    Args:
+        caught: Samples that can begin a run, shape (samples,).
+        kept: Samples that can go on with one, at least the caught ones, shape (samples,).
+
+    Returns:
+        First sample, and the one after the last, of each run, in order.
+    """
+    runs: list[tuple[int, int]] = []
+    edges = np.flatnonzero(np.diff(np.concatenate([[False], kept, [False]]).astype(np.int8)))
+    for first, end in edges.reshape(-1, 2):
+        hits = np.flatnonzero(caught[first:end])
+        if hits.size:
+            runs.append((int(first + hits[0]), int(end)))
+    return runs
+
+
+def without_short_ones(
+    intervals: list[Interval], minimum: float, duration: float, *, cyclic: bool
+) -> tuple[Interval, ...]:
+    """Return intervals with no gap and then no interval shorter than the minimum.
+
+    What is cut off by the clip's first or last frame may be shorter: nobody knows how long it
+    would last, unless the clip is cyclic.
+
+    Args:
+        intervals: In order, not overlapping; on a cycle they start in [0, duration).
+        minimum: [s].
+        duration: Of the clip [s].
+        cyclic: Whether the last interval is followed by the first.
+    """
+    joined: list[Interval] = []
+    for interval in intervals:
+        if joined and interval.start - joined[-1].end < minimum:
+            joined[-1] = _joined(joined[-1], interval)
+        else:
+            joined.append(interval)
+    if cyclic and joined:
+        first, last = joined[0], joined[-1]
+        gap = first.start + duration - last.end
+        if gap < minimum:
+            if len(joined) == 1:
+                return (Interval(0.0, duration),)
+            joined = [*joined[1:-1], _joined(last, _later(first, duration))]
+    return tuple(i for i in joined if i.duration >= minimum - 1e-9)
+
+
+def _later(interval: Interval, seconds: float) -> Interval:
+    return Interval(
+        interval.start + seconds,
+        interval.end + seconds,
+        interval.start_confidence,
+        interval.end_confidence,
+    )
+
+
+def _joined(one: Interval, other: Interval) -> Interval:
+    return Interval(one.start, other.end, one.start_confidence, other.end_confidence)
+
+
+def covers(
+    intervals: tuple[Interval, ...], times: Floats, duration: float, *, cyclic: bool
+) -> Flags:
+    """Return whether any of the intervals holds at each clip time [s], shape of `times`."""
+    result = np.zeros(times.shape, dtype=np.bool_)
+    for interval in intervals:
+        for shift in (0.0, duration) if cyclic else (0.0,):
+            result |= (times + shift >= interval.start) & (times + shift < interval.end)
+        if not cyclic and interval.end >= duration - 1e-9:
+            result |= times >= interval.end - 1e-9
+    return result

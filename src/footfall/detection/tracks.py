@@ -1,0 +1,229 @@
+"""The tracks of the feet: where heel and toe go, at a rate at which boundaries can be found.
+
+A track is resampled to about 120 Hz whatever the clip's rate, so that thresholds, filters and
+sub-frame boundaries mean the same at 24 and at 120 frames per second.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from footfall.arrays import Floats, Positions
+from footfall.motion import Clip
+from footfall.skeleton import Anatomy
+
+__all__ = ["FootTracks", "PlanarStep", "cycle_step", "foot_points", "foot_tracks"]
+
+_TRACK_RATE = 100.0
+"""Tracks have the first multiple of the clip's rate that is not below this [Hz]."""
+
+_CUTOFF = 8.0
+"""Half-power frequency of the zero-phase low-pass [Hz]."""
+
+
+@dataclass(frozen=True, slots=True)
+class PlanarStep:
+    """What one cycle adds: a turn about the vertical through the origin, then a translation."""
+
+    yaw: float = 0.0
+    """[rad]"""
+
+    x: float = 0.0
+    """[m]"""
+
+    z: float = 0.0
+    """[m]"""
+
+    def apply(self, positions: Positions, times: int = 1) -> Positions:
+        """Return positions, shape (..., 3), moved `times` cycles on; back where negative."""
+        moved = positions
+        for _ in range(abs(times)):
+            moved = self._once(moved) if times > 0 else self._once_back(moved)
+        return moved
+
+    def _once(self, positions: Positions) -> Positions:
+        return _turned(positions, self.yaw) + np.array([self.x, 0.0, self.z])
+
+    def _once_back(self, positions: Positions) -> Positions:
+        return _turned(positions - np.array([self.x, 0.0, self.z]), -self.yaw)
+
+
+def _turned(positions: Positions, yaw: float) -> Positions:
+    if yaw == 0.0:
+        return positions
+    cosine, sine = math.cos(yaw), math.sin(yaw)
+    turn = np.array([[cosine, 0.0, sine], [0.0, 1.0, 0.0], [-sine, 0.0, cosine]])
+    return positions @ turn.T
+
+
+@dataclass(frozen=True, eq=False)
+class FootTracks:
+    """Low-passed tracks of the foot points, and how fast they go."""
+
+    positions: Positions
+    """Where they are relative to the surface they tread on [m], shape (samples, feet, points,
+    3): feet left and right, points heel and toe. Of a cyclic clip one whole cycle, the sample
+    after the last one being the first one again, one cycle on."""
+
+    velocities: Positions
+    """Their velocities [m/s], the shape of `positions`."""
+
+    rate: float
+    """Samples per second."""
+
+    duration: float
+    """Of the clip [s]."""
+
+    cyclic: bool
+    """Whether the last sample is followed by the first."""
+
+    leg_length: float
+    """Thigh and shank, the mean of both legs [m]."""
+
+    belt_velocity: tuple[float, float]
+    """How fast the surface runs (x, z) [m/s]: a treadmill's; zero where the body itself goes."""
+
+
+def cycle_step(world_positions: Positions) -> PlanarStep:
+    """Return the planar step that best takes the first pose, shape (joints, 3), to the last."""
+    first, last = world_positions[0][:, [0, 2]], world_positions[-1][:, [0, 2]]
+    middle_first, middle_last = first.mean(axis=0), last.mean(axis=0)
+    a, b = first - middle_first, last - middle_last
+    yaw = math.atan2(float((a[:, 1] * b[:, 0] - a[:, 0] * b[:, 1]).sum()), float((a * b).sum()))
+    if abs(yaw) < 1e-12:
+        yaw = 0.0
+    turned = _turned(np.array([middle_first[0], 0.0, middle_first[1]]), yaw)
+    return PlanarStep(yaw, float(middle_last[0] - turned[0]), float(middle_last[1] - turned[2]))
+
+
+def foot_points(clip: Clip, anatomy: Anatomy) -> tuple[Positions, PlanarStep]:
+    """Return where heel and toe are, frame by frame, and what one cycle adds.
+
+    Args:
+        clip: The motion.
+        anatomy: Its skeleton's.
+
+    Returns:
+        Positions [m], shape (frames, feet, points, 3), and the step of one cycle; no step where
+        the clip is not cyclic.
+    """
+    rotations, positions = clip.world_poses()
+    points = np.empty((clip.frames, 2, 2, 3))
+    for foot, leg in enumerate(anatomy.legs):
+        for index, point in enumerate((leg.heel, leg.toe)):
+            offset = np.array(point.offset)
+            points[:, foot, index] = positions[:, point.joint] + _rotated(
+                rotations[:, point.joint], offset
+            )
+    return points, cycle_step(positions) if clip.cyclic else PlanarStep()
+
+
+def _rotated(rotations: Floats, vector: Floats) -> Positions:
+    axis = rotations[:, 1:]
+    turn = 2.0 * np.cross(axis, vector)
+    return vector + rotations[:, :1] * turn + np.cross(axis, turn)
+
+
+def foot_tracks(clip: Clip, anatomy: Anatomy) -> FootTracks:
+    """Return the tracks of a clip's feet, relative to the surface they tread on."""
+    points, step = foot_points(clip, anatomy)
+    dense, rate = _resampled(points, step, clip)
+    smooth = _low_passed(dense, step, rate, cyclic=clip.cyclic)
+    velocities = _velocities(smooth, step, rate, cyclic=clip.cyclic)
+    if clip.cyclic:
+        smooth, velocities = smooth[:-1], velocities[:-1]
+    leg_length = _leg_length(clip, anatomy)
+    travel = (clip.pelvis_positions[-1] - clip.pelvis_positions[0]) / max(clip.duration, 1e-9)
+    belt = _belt_velocity(smooth, velocities, math.hypot(travel[0], travel[2]), leg_length)
+    drift = np.array([belt[0], 0.0, belt[1]])
+    times = np.arange(len(smooth)) / rate
+    return FootTracks(
+        positions=smooth - times[:, np.newaxis, np.newaxis, np.newaxis] * drift,
+        velocities=velocities - drift,
+        rate=rate,
+        duration=clip.duration,
+        cyclic=clip.cyclic,
+        leg_length=leg_length,
+        belt_velocity=belt,
+    )
+
+
+def _leg_length(clip: Clip, anatomy: Anatomy) -> float:
+    bone = clip.skeleton.bone_length
+    return 0.5 * sum(bone(leg.knee) + bone(leg.ankle) for leg in anatomy.legs)
+
+
+def _padded(points: Positions, step: PlanarStep, count: int, *, cyclic: bool) -> Positions:
+    """Return the points with `count` more at both ends: the cycle's, or mirrored in the end."""
+    count = min(count, len(points) - 1)
+    before, after = points[-count - 1 : -1], points[1 : count + 1]
+    if cyclic:
+        return np.concatenate([step.apply(before, -1), points, step.apply(after)])
+    return np.concatenate([2.0 * points[0] - after[::-1], points, 2.0 * points[-1] - before[::-1]])
+
+
+def _resampled(points: Positions, step: PlanarStep, clip: Clip) -> tuple[Positions, float]:
+    """Return the points at a multiple of the clip's rate, on cubics with Catmull-Rom slopes."""
+    factor = max(1, math.ceil(_TRACK_RATE / clip.fps - 1e-9))
+    if factor == 1 or len(points) < 3:
+        return points, clip.fps
+    padded = _padded(points, step, 1, cyclic=clip.cyclic)
+    slopes = 0.5 * (padded[2:] - padded[:-2])
+    dense = np.empty(((len(points) - 1) * factor + 1, *points.shape[1:]))
+    dense[::factor] = points
+    start, end, leave, arrive = points[:-1], points[1:], slopes[:-1], slopes[1:]
+    for index in range(1, factor):
+        u = index / factor
+        dense[index::factor] = (
+            (1.0 + 2.0 * u) * (1.0 - u) ** 2 * start
+            + u * u * (3.0 - 2.0 * u) * end
+            + u * (1.0 - u) ** 2 * leave
+            + u * u * (u - 1.0) * arrive
+        )
+    return dense, clip.fps * factor
+
+
+def _low_passed(points: Positions, step: PlanarStep, rate: float, *, cyclic: bool) -> Positions:
+    """Return the points through a zero-phase Gaussian low-pass."""
+    deviation = math.sqrt(math.log(2.0)) / (2.0 * math.pi * _CUTOFF) * rate
+    radius = min(math.ceil(3.5 * deviation), len(points) - 1)
+    if radius < 1:
+        return points
+    weights = np.exp(-0.5 * (np.arange(-radius, radius + 1) / deviation) ** 2)
+    weights /= weights.sum()
+    padded = _padded(points, step, radius, cyclic=cyclic)
+    smooth = np.zeros_like(points)
+    for index, weight in enumerate(weights):
+        smooth += weight * padded[index : index + len(points)]
+    return smooth
+
+
+def _velocities(points: Positions, step: PlanarStep, rate: float, *, cyclic: bool) -> Positions:
+    if len(points) < 2:
+        return np.zeros_like(points)
+    padded = _padded(points, step, 1, cyclic=cyclic)
+    return 0.5 * rate * (padded[2:] - padded[:-2])
+
+
+def _belt_velocity(
+    points: Positions, velocities: Positions, travel_speed: float, leg_length: float
+) -> tuple[float, float]:
+    """Return the velocity of a treadmill, or zero: the median of the foot that is low.
+
+    A clip counts as captured in place where its low foot runs, and faster than the pelvis
+    travels.
+    """
+    heights = points[..., 1] - np.percentile(points[..., 1], 5.0, axis=0)
+    flat = heights.reshape(len(points), 4)
+    lowest = flat.argmin(axis=1)
+    rows = np.arange(len(points))
+    low = flat[rows, lowest] < 0.05 * leg_length
+    if not low.any():
+        return (0.0, 0.0)
+    carried = velocities.reshape(len(points), 4, 3)[rows, lowest][low]
+    x, z = float(np.median(carried[:, 0])), float(np.median(carried[:, 2]))
+    speed = math.hypot(x, z)
+    return (x, z) if speed > 0.25 and speed > 1.5 * travel_speed else (0.0, 0.0)
