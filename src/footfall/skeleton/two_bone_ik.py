@@ -21,7 +21,13 @@ LONGEST_REACH = 0.9995
 """Extension that is never exceeded: a perfectly straight limb has no bending plane."""
 
 _HINT_SHARE = 0.02
-"""Pull of the hint on the bending direction; it decides below about one degree of bend."""
+"""Greatest pull of the hint on the bending direction; it decides below one degree of bend."""
+
+_HINT_BEND = 0.05
+"""Bend (sine of the upper bone's angle to the limb's line) beyond which the hint is silent."""
+
+_HINT_MOVE = 0.01
+"""Move of the end [m] below which the hint fades away: a limb that stays put stays as it is."""
 
 
 @kernel
@@ -97,13 +103,15 @@ def reach_point(
     # The bending direction: across the line to the target, towards the swung middle joint.
     px, py, pz = quaternions.rotate(sw, sx, sy, sz, ux / upper, uy / upper, uz / upper)
     gx, gy, gz = px, py, pz
-    px, py, pz = (
-        px + _HINT_SHARE * hint[0],
-        py + _HINT_SHARE * hint[1],
-        pz + _HINT_SHARE * hint[2],
-    )
     along = px * dx + py * dy + pz * dz
     px, py, pz = px - along * dx, py - along * dy, pz - along * dz
+    across = math.sqrt(px * px + py * py + pz * pz)
+    moved = math.sqrt((tx - ex) ** 2 + (ty - ey) ** 2 + (tz - ez) ** 2)
+    pull = _HINT_SHARE * max(0.0, 1.0 - across / _HINT_BEND) * min(1.0, moved / _HINT_MOVE)
+    along = hint[0] * dx + hint[1] * dy + hint[2] * dz
+    px += pull * (hint[0] - along * dx)
+    py += pull * (hint[1] - along * dy)
+    pz += pull * (hint[2] - along * dz)
     across = math.sqrt(px * px + py * py + pz * pz)
     if across < 1e-9:
         px, py, pz = -dy, dx, 0.0
