@@ -6,8 +6,9 @@ from dataclasses import dataclass
 from enum import IntEnum
 
 from footfall.arrays import Indices
+from footfall.skeleton.skeleton import Skeleton
 
-__all__ = ["Anatomy", "BodyPart", "FootPoint", "Leg"]
+__all__ = ["Anatomy", "Arm", "BodyPart", "FootPoint", "Leg", "arm_length", "leg_length"]
 
 
 class BodyPart(IntEnum):
@@ -60,6 +61,20 @@ class Leg:
     """The fore point of the foot: the toe joint, or else the tip of the foot's bone."""
 
 
+@dataclass(frozen=True, slots=True)
+class Arm:
+    """One arm, by joint indices."""
+
+    shoulder: int
+    """The upper end of the upper arm."""
+
+    elbow: int
+    """The upper end of the forearm."""
+
+    wrist: int
+    """The lower end of the forearm; its rotation is the hand's."""
+
+
 @dataclass(frozen=True, eq=False)
 class Anatomy:
     """What the joints of a skeleton are, and why that was concluded."""
@@ -76,7 +91,36 @@ class Anatomy:
     reasons: tuple[str, ...]
     """One sentence for each conclusion, for `footfall info`."""
 
+    arms: tuple[Arm | None, Arm | None] = (None, None)
+    """The left and the right arm; None where none was found."""
+
+    head: int | None = None
+    """The joint at the lower end of the skull; None where none was found."""
+
+    chest: int | None = None
+    """The joint that carries both arms; None unless both were found."""
+
     @property
     def legs(self) -> tuple[Leg, Leg]:
         """The left and the right leg, in the order of all arrays over feet."""
         return (self.left, self.right)
+
+
+def leg_length(skeleton: Skeleton, leg: Leg) -> float:
+    """Return the length of thigh and shank together [m]."""
+    return _chain_length(skeleton, leg.hip, leg.ankle)
+
+
+def arm_length(skeleton: Skeleton, arm: Arm) -> float:
+    """Return the length of upper arm and forearm together [m]."""
+    return _chain_length(skeleton, arm.shoulder, arm.wrist)
+
+
+def _chain_length(skeleton: Skeleton, upper: int, lower: int) -> float:
+    """Return the sum of the bones from a joint down to one below it [m]."""
+    length = 0.0
+    joint = lower
+    while joint != upper:
+        length += skeleton.bone_length(joint)
+        joint = int(skeleton.parents[joint])
+    return length
