@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from footfall.arrays import Floats, Seconds, frozen
+from footfall.arrays import Floats, Indices, Seconds, frozen
 from footfall.compilation import kernel
 from footfall.errors import ArgumentError
 from footfall.geometry.curves import cubic_hermite, rational_hermite
@@ -75,6 +75,7 @@ def warp(
 @kernel
 def _follow(
     times: Seconds,
+    slots: Indices,
     clock_times: Seconds,
     clip_times: Seconds,
     rates: Floats,
@@ -82,10 +83,8 @@ def _follow(
     out_clip_times: Seconds,
     out_rates: Floats,
 ) -> None:
-    last = clock_times.shape[0] - 2
     for index in range(times.shape[0]):
-        k = int(np.searchsorted(clock_times, times[index], side="right")) - 1
-        k = min(max(k, 0), last)
+        k = slots[index]
         out_clip_times[index], out_rates[index] = warp(
             times[index],
             clock_times[k],
@@ -170,10 +169,12 @@ class TimeWarp:
     def at(self, times: Seconds) -> tuple[Seconds, Floats]:
         """Return clip times [s] and rates at clock `times` [s], shape (times,) each."""
         times = np.ascontiguousarray(times, dtype=np.float64)
+        slots = np.searchsorted(self.clock_times, times, side="right") - 1
         clip_times = np.empty(times.shape)
         rates = np.empty(times.shape)
         _follow(
             times,
+            np.clip(slots, 0, len(self.clock_times) - 2),
             self.clock_times,
             self.clip_times,
             self.rates,
