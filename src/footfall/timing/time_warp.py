@@ -84,7 +84,7 @@ def _follow(
     out_rates: Floats,
 ) -> None:
     for index in range(times.shape[0]):
-        k = slots[index]
+        k = int(slots[index])
         out_clip_times[index], out_rates[index] = warp(
             times[index],
             clock_times[k],
