@@ -28,20 +28,20 @@ def support_of(table: SequenceTable, sequence: int, phase: int, ended: int) -> i
     """
     if phase < 0:
         return DOUBLE
-    count = table.count[sequence]
+    count = table.phase_count[sequence]
     if table.cyclic[sequence]:
         phase %= count
     elif phase >= count:
         if ended == ENDED_NEUTRAL:
             return DOUBLE
         phase = count - 1
-    return table.supports[table.first[sequence] + phase]
+    return int(table.supports[table.first[sequence] + phase])
 
 
 @kernel
 def has_ended(table: SequenceTable, sequence: int, phase: int) -> bool:
     """Return whether a clamped sequence is past its last phase, or has left the schedule."""
-    return phase < 0 or (not table.cyclic[sequence] and phase >= table.count[sequence])
+    return phase < 0 or (not table.cyclic[sequence] and phase >= table.phase_count[sequence])
 
 
 @kernel

@@ -105,7 +105,7 @@ def _stop_the_ended(
         if window.playing[seat]:
             sequence = window.sequence[seat]
             phase = window.phases[seat, column]
-            last = not table.cyclic[sequence] and phase >= table.count[sequence] - 1
+            last = not table.cyclic[sequence] and phase >= table.phase_count[sequence] - 1
             if last and support_of(table, sequence, phase, rules.ended) == refused:
                 window.phases[seat, column] = ABSENT
 
@@ -203,13 +203,17 @@ def try_start(table: SequenceTable, window: Window, rules: Rules, seat: int, ent
 @kernel
 def keep_window(window: Window) -> None:
     """Copy the decided columns to the working memory."""
-    window.spare_phases[:, :] = window.phases
-    window.spare_results[:] = window.results
+    for column in range(window.results.shape[0]):
+        window.spare_results[column] = window.results[column]
+        for seat in range(window.playing.shape[0]):
+            window.spare_phases[seat, column] = window.phases[seat, column]
 
 
 @kernel
 def restore_window(window: Window, seat: int) -> None:
     """Take the decided columns back from the working memory, without the action of a seat."""
-    window.phases[:, :] = window.spare_phases
-    window.results[:] = window.spare_results
     window.playing[seat] = False
+    for column in range(window.results.shape[0]):
+        window.results[column] = window.spare_results[column]
+        for other in range(window.playing.shape[0]):
+            window.phases[other, column] = window.spare_phases[other, column]

@@ -23,6 +23,7 @@ from footfall.sync.paper import (
     synchronize_column,
     try_start,
 )
+from footfall.sync.shares import column_share, natural_duration
 from footfall.sync.tables import Rules, SequenceTable, Window
 
 __all__ = ["REFUSED", "reconsider", "release_action", "start_action", "window_cost"]
@@ -50,7 +51,8 @@ def start_action(
     Args:
         table: All sequences.
         window: The schedule; `sequence`, `priority`, `age` and `weight` of the seat are already
-            set, and `playing` is false there. Changed only if the action starts.
+            set, and `playing` is false there. Changed only if the action starts; then
+            `remaining` of the seat is set too.
         rules: The rules of the planner.
         seat: The seat of the action.
         elapsed: The share of column 0 that is over, in [0, 1); a cyclic action that may enter
@@ -61,14 +63,17 @@ def start_action(
     """
     sequence = window.sequence[seat]
     if not (rules.enters_anywhere and table.cyclic[sequence]):
-        return 0 if try_start(table, window, rules, seat, 0) else REFUSED
+        if not try_start(table, window, rules, seat, 0):
+            return REFUSED
+        window.remaining[seat] = natural_duration(table, sequence, 0)
+        return 0
     best = REFUSED
     least_held = math.inf
     least_stretch = math.inf
     keep_window(window)
-    for entry in range(table.count[sequence]):
+    for entry in range(table.phase_count[sequence]):
         if enter_window(table, window, rules, seat, entry):
-            own = table.durations[table.first[sequence] + entry]
+            own = natural_duration(table, sequence, entry)
             window.remaining[seat] = (1.0 - elapsed) * own
             held, stretch = window_cost(table, window, rules)
             if held < least_held - SAME_COST or (
@@ -78,6 +83,7 @@ def start_action(
         restore_window(window, seat)
     if best != REFUSED:
         enter_window(table, window, rules, seat, best)
+        window.remaining[seat] = (1.0 - elapsed) * natural_duration(table, sequence, best)
     return best
 
 
@@ -136,7 +142,7 @@ def window_cost(table: SequenceTable, window: Window, rules: Rules) -> tuple[flo
             weight = window.weight[seat] / total
             support = support_of(table, window.sequence[seat], phase, rules.ended)
             price = weight * FLIGHT_PRICE if support == FLIGHT else weight
-            own = _column_share(table, window, seat, column)
+            own = column_share(table, window, seat, column)
             stretch += price * abs(math.log2(clock / own))
             left += weight if support & LEFT_FOOT else 0.0
             right += weight if support & RIGHT_FOOT else 0.0
@@ -144,26 +150,6 @@ def window_cost(table: SequenceTable, window: Window, rules: Rules) -> tuple[flo
                 held += price
         stretch += 4.0 * (left * (1.0 - left) + right * (1.0 - right))
     return held, stretch / columns
-
-
-@kernel
-def _column_share(table: SequenceTable, window: Window, seat: int, column: int) -> float:
-    """Return what a phase contributes to one column: split over the columns that it covers."""
-    phase = window.phases[seat, column]
-    columns = window.results.shape[0] - 1
-    first = column
-    while first > 0 and window.phases[seat, first - 1] == phase:
-        first -= 1
-    after = column + 1
-    while after < columns and window.phases[seat, after] == phase:
-        after += 1
-    own = window.remaining[seat]
-    if first > 0:
-        sequence = window.sequence[seat]
-        if table.cyclic[sequence]:
-            phase %= table.count[sequence]
-        own = table.durations[table.first[sequence] + phase]
-    return own / (after - first)
 
 
 @kernel
@@ -176,5 +162,5 @@ def _column_duration(table: SequenceTable, window: Window, column: int) -> float
             table, window.sequence[seat], window.phases[seat, column]
         ):
             total += window.weight[seat]
-            duration += window.weight[seat] * _column_share(table, window, seat, column)
+            duration += window.weight[seat] * column_share(table, window, seat, column)
     return duration / total if total > 0.0 else 1.0

@@ -41,8 +41,9 @@ Planner = Literal["footfall", "paper"]
 StartPolicy = Literal["extend", "native"]
 """Whether phases may be held to make room for a start (S1), or not (S0)."""
 
-Ended = Literal["neutral", "repeat", "stop"]
-"""What a clamped action does after its last phase."""
+Ended = Literal["repeat", "stop"]
+"""What a clamped action does after its last phase: repeat it, or make way. The default planner
+always makes it stand on both feet, and then stops it."""
 
 ABSENT = -1
 """In `Window.phases`: an action that has left the schedule from this column on."""
@@ -63,7 +64,7 @@ class SequenceTable(NamedTuple):
     first: Indices
     """Where each sequence begins in `supports`, shape (sequences,)."""
 
-    count: Indices
+    phase_count: Indices
     """How many phases each has, shape (sequences,)."""
 
     cyclic: Flags
@@ -82,7 +83,7 @@ class SequenceTable(NamedTuple):
         phases = [phase for one in sequences for phase in one.phases]
         return cls(
             first=np.cumsum(counts) - counts,
-            count=counts,
+            phase_count=counts,
             cyclic=np.array([one.cyclic for one in sequences], dtype=np.bool_),
             supports=np.array([int(phase.support) for phase in phases], dtype=np.int64),
             durations=np.array([phase.duration for phase in phases], dtype=np.float64),
@@ -152,6 +153,10 @@ class Window(NamedTuple):
             spare_results=np.full(columns, int(Support.DOUBLE), dtype=np.int64),
         )
 
+    def copy(self) -> Window:
+        """Return a window with arrays of its own."""
+        return Window._make(array.copy() for array in self)
+
     @property
     def lookahead(self) -> int:
         """How many slots after the current one are decided."""
@@ -196,8 +201,8 @@ def rules_of(
         planner: The default planner, or the paper's rule.
         start_policy: Whether phases may be held to make room for a start. The default planner
             always may.
-        ended: What a clamped action does after its last phase; by default it repeats the
-            phase in paper mode and is neutral otherwise.
+        ended: What a clamped action does after its last phase; in paper mode "repeat" unless
+            given. The default planner always stops it.
         falls_back: Paper mode only: use Appendix A where the priority rule failed.
 
     Returns:
@@ -207,9 +212,9 @@ def rules_of(
         ArgumentError: If an option is unknown or does not go with the planner.
     """
     if planner == "footfall":
-        if start_policy != "extend" or ended not in (None, "neutral") or falls_back:
+        if start_policy != "extend" or ended not in (None, "stop") or falls_back:
             raise ArgumentError(
-                'start policies, the end "repeat" or "stop" and the fallback belong to the '
+                'the start policy "native", the end "repeat" and the fallback belong to the '
                 'planner "paper"; the planner is "footfall"'
             )
         return Rules(ENDED_NEUTRAL, True, True, True, True, True, False)
