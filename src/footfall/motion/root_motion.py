@@ -26,6 +26,9 @@ keeps nine tenths of its."""
 FILTER_ORDER = 4
 """Steepness: a second-order Butterworth filter passed forward and backward."""
 
+STRIDE = 1.0
+"""About how long a stride takes [s]: over which the ends of a path are evened out."""
+
 
 @dataclass(frozen=True, eq=False)
 class RootPath:
@@ -61,7 +64,7 @@ def extract_root_path(clip: Clip, anatomy: Anatomy) -> RootPath:
 
     Over a cycle the heading is linear, so that one planar displacement leads from any frame to
     the same frame of the next cycle. Elsewhere it is the pelvis' heading, low-passed without
-    delay; it begins and ends on the pelvis' own.
+    delay.
 
     Args:
         clip: The motion.
@@ -81,10 +84,11 @@ def extract_root_path(clip: Clip, anatomy: Anatomy) -> RootPath:
 
 
 def smooth_headings(headings: Floats, fps: float) -> Floats:
-    """Return headings without the swing of the steps; both ends stay where they are.
+    """Return headings without the swing of the steps.
 
-    What is left after the straight line between the ends is continued beyond them by reflection
-    about the end value, which makes it a sum of sines; each is scaled by the filter's gain.
+    A zero-phase low-pass. Beyond each end the headings are continued by their reflection about
+    the end value of a line fitted to the last stride: about the heading that the end swings
+    around, not the one that the swing happens to have there.
 
     Args:
         headings: Unwrapped headings [rad], shape (frames,).
@@ -96,13 +100,25 @@ def smooth_headings(headings: Floats, fps: float) -> Floats:
     count = len(headings)
     if count < 3:
         return headings.copy()
-    line = headings[0] + _ramp(count) * float(headings[-1] - headings[0])
-    rest = headings - line
-    odd: Floats = np.concatenate([rest, -rest[-2:0:-1]])
+    stride = min(count, max(3, round(STRIDE * fps)))
+    before = 2.0 * _fitted_end(headings[stride - 1 :: -1]) - headings[::-1]
+    after = 2.0 * _fitted_end(headings[-stride:]) - headings[::-1]
+    padded = np.concatenate([before, headings, after])
+    line = padded[0] + _ramp(len(padded)) * float(padded[-1] - padded[0])
+    rest = padded - line
+    # A sum of sines, each scaled by the filter's gain: nothing wraps around.
+    odd = np.concatenate([rest, -rest[-2:0:-1]])
     frequencies = np.fft.rfftfreq(len(odd), 1.0 / fps)
     gain = 1.0 / (1.0 + (frequencies / HEADING_CUTOFF) ** FILTER_ORDER)
     smooth: Floats = np.fft.irfft(gain * np.fft.rfft(odd), len(odd))
-    return line + smooth[:count]
+    return (line + smooth[: len(padded)])[count : 2 * count]
+
+
+def _fitted_end(values: Floats) -> float:
+    """Return the last value of the line fitted to all of them."""
+    times = np.arange(len(values), dtype=np.float64) - 0.5 * (len(values) - 1)
+    slope = float(times @ values) / float(times @ times)
+    return float(values.mean()) + slope * float(times[-1])
 
 
 def _ramp(count: int) -> Floats:

@@ -1,7 +1,7 @@
 """A clip at any time, past its ends too.
 
 Offline sampling, for editing, files and reports: between two frames positions are mixed
-linearly and rotations by their normalized mean.
+linearly and rotations by slerp.
 """
 
 from __future__ import annotations
@@ -10,7 +10,7 @@ import numpy as np
 
 from footfall.arrays import Floats, Indices, Positions, Rotations, Seconds
 from footfall.errors import ArgumentError
-from footfall.geometry import conjugate, from_yaw, multiply, quaternions, rotate
+from footfall.geometry import conjugate, from_yaw, multiply, quaternions, rotate, slerp
 from footfall.motion.clip import Clip
 
 __all__ = ["cycle_displacement", "sample"]
@@ -62,26 +62,13 @@ def sample(clip: Clip, times: Seconds) -> tuple[Positions, Rotations]:
     before = np.minimum(where.astype(np.int64), max(last - 1, 0))
     after = np.minimum(before + 1, last)
     fraction = where - before
-    positions = _mix(clip.pelvis_positions, before, after, fraction[:, np.newaxis])
-    rotations = _mix_rotations(clip.local_rotations, before, after, fraction)
+    share = fraction[:, np.newaxis]
+    positions = (1.0 - share) * clip.pelvis_positions[before]
+    positions += share * clip.pelvis_positions[after]
+    rotations = slerp(clip.local_rotations[before], clip.local_rotations[after], share)
     if cycles.any():
         positions, rotations[:, 0] = _displace(clip, cycles, positions, rotations[:, 0])
     return positions, rotations
-
-
-def _mix(values: Floats, before: Indices, after: Indices, fraction: Floats) -> Floats:
-    return (1.0 - fraction) * values[before] + fraction * values[after]
-
-
-def _mix_rotations(
-    rotations: Rotations, before: Indices, after: Indices, fraction: Floats
-) -> Rotations:
-    one, other = rotations[before], rotations[after]
-    opposed = np.einsum("...i,...i->...", one, other) < 0.0
-    share = fraction[:, np.newaxis]
-    mixed = (1.0 - share)[..., np.newaxis] * one
-    mixed = mixed + np.where(opposed, -share, share)[..., np.newaxis] * other
-    return mixed / np.linalg.norm(mixed, axis=-1, keepdims=True)
 
 
 def _displace(
