@@ -3,7 +3,7 @@
 from footfall.report.comparisons import skating_ratio, weighted_skate
 from footfall.report.mismatch import Mismatch, support_mismatch
 from footfall.report.pops import Pops, joint_pops
-from footfall.report.slip import SpanMeasure, measure_spans, planted_distances, step_lengths
+from footfall.report.slip import SpanMeasure, carried_steps, measure_spans
 from footfall.report.sources import SourceSlips, clip_trace, mean_source_slips
 from footfall.report.spans import Group, Span, runs, support_spans
 from footfall.report.spreads import GroupedSpread, Spread
@@ -38,6 +38,7 @@ __all__ = [
     "SurfaceHeights",
     "Trace",
     "Track",
+    "carried_steps",
     "carrying",
     "clip_trace",
     "joint_pops",
@@ -45,10 +46,8 @@ __all__ = [
     "measure",
     "measure_schedule",
     "measure_spans",
-    "planted_distances",
     "runs",
     "skating_ratio",
-    "step_lengths",
     "support_mismatch",
     "support_spans",
     "text_table",

@@ -10,7 +10,7 @@ from footfall.arrays import Flags, Floats, Indices
 from footfall.report.spans import Span, support_spans
 from footfall.report.track import Track
 
-__all__ = ["SpanMeasure", "measure_spans", "planted_distances", "step_lengths"]
+__all__ = ["SpanMeasure", "carried_steps", "measure_spans"]
 
 
 @dataclass(frozen=True, eq=False)
@@ -21,18 +21,18 @@ class SpanMeasure:
     """Which foot, when, and what the blend did meanwhile."""
 
     slip: float
-    """Way of the carrying point over the surface, edges included [m]: see `step_lengths`."""
+    """Way of the carrying point over the surface, edges included [m]: see `carried_steps`."""
 
     inner_slip: float | None
     """The same without 67 ms at each end [m]; None where no two frames are left."""
 
     drift: float
     """Greatest distance of the carrying point from where it was planted [m], edges included:
-    see `planted_distances`."""
+    see `carried_steps`."""
 
     inner_drift: float | None
-    """The same without 67 ms at each end [m]; a point that was in contact before is planted
-    where the inner part begins. None where no frame is left."""
+    """The same without 67 ms at each end [m], from where the foot is when the inner part begins.
+    None where no two frames are left."""
 
     clearances: Floats
     """Height of the lowest foot point over its resting level [m], shape (frames of the span,):
@@ -66,30 +66,18 @@ def measure_spans(track: Track, source_slips: Floats | None = None) -> tuple[Spa
     )
 
 
-def step_lengths(places: Floats, clearances: Floats, contacts: Flags) -> Floats:
-    """Return how far the carrying point of one foot moves from each frame to the next [m].
+def carried_steps(places: Floats, clearances: Floats, contacts: Flags) -> Floats:
+    """Return how the carrying point of one foot moves from each frame to the next [m].
 
-    The least horizontal displacement among the points in contact in both frames: a foot rolls
-    from heel to toe, and the point that carries it must not move. If no point is in contact the
-    lowest one counts: a floating foot must not score zero (measures, section 1).
+    The carrying point is the one that moves least among those in contact in both frames: a foot
+    rolls from heel to toe, and the point that carries it must not move. If no point is in
+    contact it is the lowest one: a floating foot must not score zero (measures, section 1).
 
-    Args:
-        places: Foot points on their surface, x and z [m], shape (frames, points, 2).
-        clearances: Their heights over their resting levels [m], shape (frames, points).
-        contacts: Whether they are in contact, shape (frames, points).
-
-    Returns:
-        Displacements, shape (frames - 1,).
-    """
-    steps = np.linalg.norm(np.diff(places, axis=0), axis=-1)
-    return _least_of_contacts(steps, contacts[1:] & contacts[:-1], clearances[1:] + clearances[:-1])
-
-
-def planted_distances(places: Floats, clearances: Floats, contacts: Flags) -> Floats:
-    """Return how far the carrying point of one foot is from where it was planted [m].
-
-    A point is planted in the first frame, and again whenever it comes into contact; which points
-    count is decided as in `step_lengths`.
+    The slip of a span is the sum of the lengths of these steps. Its drift is the greatest length
+    of the sum of the steps so far: the distance from where the carrying point was planted, taken
+    over where one point hands over to the next. (Distances of each point from where it came into
+    contact would count some millimeters for a perfect roll, since a point counts as in contact
+    up to 4 cm before it rests.)
 
     Args:
         places: Foot points on their surface, x and z [m], shape (frames, points, 2).
@@ -97,50 +85,43 @@ def planted_distances(places: Floats, clearances: Floats, contacts: Flags) -> Fl
         contacts: Whether they are in contact, shape (frames, points).
 
     Returns:
-        Distances, shape (frames,).
+        Displacements, x and z, shape (frames - 1, 2).
     """
-    landed = np.zeros_like(contacts)
-    landed[1:] = contacts[1:] & ~contacts[:-1]
-    frames = np.arange(len(places))[:, np.newaxis]
-    planted: Indices = np.maximum.accumulate(np.where(landed, frames, 0), axis=0)
-    distances = np.linalg.norm(places - places[planted, np.arange(places.shape[1])], axis=-1)
-    return _least_of_contacts(distances, contacts, clearances)
-
-
-def _least_of_contacts(values: Floats, contacts: Flags, clearances: Floats) -> Floats:
-    lowest = clearances.argmin(axis=1)[:, np.newaxis]
-    of_lowest = np.take_along_axis(values, lowest, axis=1)[:, 0]
-    least = np.where(contacts, values, np.inf).min(axis=1)
-    return np.where(contacts.any(axis=1), least, of_lowest)
+    steps = np.diff(places, axis=0)
+    touching = contacts[1:] & contacts[:-1]
+    lengths: Floats = np.where(touching, np.linalg.norm(steps, axis=-1), np.inf)
+    lowest: Indices = (clearances[1:] + clearances[:-1]).argmin(axis=1)
+    least: Indices = lengths.argmin(axis=1)
+    carrying = np.where(touching.any(axis=1), least, lowest)
+    return np.take_along_axis(steps, carrying[:, np.newaxis, np.newaxis], axis=1)[:, 0]
 
 
 def _measure(track: Track, span: Span, sources: Floats | None) -> SpanMeasure:
     first, last = span.inner
     source = None if sources is None else _mean_of_known(sources[first : max(first, last)])
+    slip, drift = _ways(track, span.foot, span.start, span.stop)
+    inner_slip, inner_drift = _ways(track, span.foot, first, last)
+    judged = last - first > 1
     return SpanMeasure(
         span=span,
-        slip=_total(_steps(track, span.foot, span.start, span.stop)),
-        inner_slip=_total(_steps(track, span.foot, first, last)) if last - first > 1 else None,
-        drift=_greatest(track, span.foot, span.start, span.stop),
-        inner_drift=_greatest(track, span.foot, first, last) if last > first else None,
+        slip=slip,
+        inner_slip=inner_slip if judged else None,
+        drift=drift,
+        inner_drift=inner_drift if judged else None,
         clearances=track.clearances[span.start : span.stop, span.foot].min(axis=1),
         source_slip=source,
     )
 
 
-def _steps(track: Track, foot: int, start: int, stop: int) -> Floats:
+def _ways(track: Track, foot: int, start: int, stop: int) -> tuple[float, float]:
+    """Return slip and drift [m] from frame `start` to the one before `stop`."""
+    if stop - start < 2:
+        return 0.0, 0.0
     part = slice(start, stop), foot
-    return step_lengths(track.places[part], track.clearances[part], track.contacts[part])
-
-
-def _greatest(track: Track, foot: int, start: int, stop: int) -> float:
-    part = slice(start, stop), foot
-    distances = planted_distances(track.places[part], track.clearances[part], track.contacts[part])
-    return float(distances.max())
-
-
-def _total(steps: Floats) -> float:
-    return float(steps.sum())
+    steps = carried_steps(track.places[part], track.clearances[part], track.contacts[part])
+    lengths = np.linalg.norm(steps, axis=1)
+    distances = np.linalg.norm(steps.cumsum(axis=0), axis=1)
+    return float(lengths.sum()), float(distances.max())
 
 
 def _mean_of_known(values: Floats) -> float:

@@ -17,7 +17,8 @@ DECIMALS = 4
 
 def rounded(value: float | None) -> float | None:
     """Return a number as reports hold it: four decimals, None where there is none."""
-    return None if value is None else round(value, DECIMALS)
+    # The sum turns -0.0 into 0.0.
+    return None if value is None else round(value, DECIMALS) + 0.0
 
 
 @dataclass(frozen=True, slots=True)
