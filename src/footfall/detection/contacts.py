@@ -7,7 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from footfall.arrays import Flags, Floats
-from footfall.detection.intervals import Interval, covers, held_runs, without_short_ones
+from footfall.detection.filters import moving_mean, moving_minimum
+from footfall.detection.intervals import Interval, covers, runs, without_short_ones
 from footfall.detection.tracks import FootTracks, foot_tracks
 from footfall.errors import ArgumentError
 from footfall.motion import Clip
@@ -21,14 +22,23 @@ MINIMUM_DURATION = 0.06
 _LOW = 0.05
 """A foot point is low below this share of the leg length."""
 
+_LIFTED = 0.5
+"""It is not low above this share of its own 90th percentile height ..."""
+
+_LEAST_LOW = 0.012
+"""... unless that is less than this [m]."""
+
 _SLOW = 0.25
 """A foot point is slow below this share of its own 75th percentile speed ..."""
 
 _SLOW_RANGE = (0.35, 2.5)
 """... but not below the first of these [m/s], and not above the second."""
 
-_RELEASE = (1.4, 1.6)
-"""A point in contact stays so up to these multiples of its height and speed limit."""
+_NEARLY = (1.4, 1.6)
+"""Nearly low and nearly slow: multiples of the height and the speed limit."""
+
+_STRAY = 0.5
+"""The ground is at most this share of the greatest height limit below its usual level."""
 
 _GROUND_WINDOW = 1.2
 """Over which the ground is the lowest place of a point where the floor tilts or drifts [s]."""
@@ -122,16 +132,12 @@ def track_contacts(
     ground = _ground(tracks)
     heights = tracks.positions[..., 1] - ground
     speeds = np.linalg.norm(tracks.velocities, axis=-1)
-    height_limits = np.full((2, 2), _LOW * tracks.leg_length if height is None else height)
+    height_limits = _height_limits(heights, tracks) if height is None else np.full((2, 2), height)
     speed_limits = _speed_limits(speeds) if speed is None else np.full((2, 2), speed)
-    excess = np.maximum(heights / height_limits, speeds / speed_limits)
-    release = np.maximum(
-        heights / (height_limits * (_RELEASE[0] if height is None else 1.0)),
-        speeds / (speed_limits * (_RELEASE[1] if speed is None else 1.0)),
-    )
+    low, slow = heights / height_limits, speeds / speed_limits
     intervals = [
         without_short_ones(
-            _foot_intervals(excess[:, foot], release[:, foot], tracks),
+            _foot_intervals(low[:, foot], slow[:, foot], tracks),
             min_duration,
             tracks.duration,
             cyclic=tracks.cyclic,
@@ -157,46 +163,72 @@ def track_contacts(
     )
 
 
+def _height_limits(heights: Floats, tracks: FootTracks) -> Floats:
+    """Return the heights below which points are low [m]: less for feet that are hardly lifted."""
+    lifted = _LIFTED * np.percentile(heights, 90.0, axis=0)
+    return np.clip(lifted, _LEAST_LOW, _LOW * tracks.leg_length)
+
+
 def _speed_limits(speeds: Floats) -> Floats:
     return np.clip(_SLOW * np.percentile(speeds, 75.0, axis=0), *_SLOW_RANGE)
 
 
 def _ground(tracks: FootTracks) -> Floats:
-    """Return the height at which each point rests, shape (samples, feet, points)."""
+    """Return the height at which each point rests, shape (samples, feet, points).
+
+    Its lowest place within half a window, smoothed, so that floors may tilt or drift; but never
+    far from the lowest places of the whole clip, nor far above the other foot's: a foot that is
+    held up for long does not stand, and a stray frame does not move the floor.
+    """
     heights = tracks.positions[..., 1]
     level = np.percentile(heights, 5.0, axis=0)
-    # A foot that is never down has the other one's floor.
-    level = np.minimum(level, level.min(axis=0) + _LOW * tracks.leg_length)
-    return np.broadcast_to(level, heights.shape)
+    low = _LOW * tracks.leg_length
+    radius = min(round(0.5 * _GROUND_WINDOW * tracks.rate), len(heights) - 1)
+    lowest = moving_minimum(heights, radius, cyclic=tracks.cyclic)
+    smooth = moving_mean(lowest, radius // 2, cyclic=tracks.cyclic)
+    return np.clip(smooth, level - _STRAY * low, np.minimum(level, level.min(axis=0)) + low)
 
 
-def _foot_intervals(excess: Floats, release: Floats, tracks: FootTracks) -> list[Interval]:
+def _foot_intervals(heights: Floats, speeds: Floats, tracks: FootTracks) -> list[Interval]:
     """Return when any point of one foot is in contact.
 
     Args:
-        excess: By how much each point misses contact, shape (samples, points); < 1 in contact.
-        release: The same for a point that is in contact.
+        heights: Of its points as shares of their limits, shape (samples, points).
+        speeds: The same.
         tracks: Whose tracks.
     """
-    samples = len(excess)
+    samples = len(heights)
     turns = 3 if tracks.cyclic else 1
     held = np.zeros(turns * samples, dtype=np.bool_)
     for point in range(2):
-        caught, kept = (np.tile(s[:, point], turns) < 1.0 for s in (excess, release))
-        for first, end in held_runs(caught, caught | kept):
+        height, speed = (np.tile(v[:, point], turns) for v in (heights, speeds))
+        for first, end in _point_runs(height, speed):
             held[first:end] = True
-    runs = held_runs(held, held)
-    period = samples if tracks.cyclic else 0
+    if tracks.cyclic and held.all():
+        return [Interval(0.0, tracks.duration)]
+    edges = runs(held)
     if tracks.cyclic:
-        if held.all():
-            return [Interval(0.0, tracks.duration)]
-        runs = [run for run in runs if samples <= run[0] < 2 * samples]
-    return [
-        Interval(
-            max((first - period - 0.5) / tracks.rate, 0.0),
-            (end - period - 0.5) / tracks.rate
-            if tracks.cyclic
-            else min((end - 0.5) / tracks.rate, tracks.duration),
-        )
-        for first, end in runs
-    ]
+        edges = [(a - samples, b - samples) for a, b in edges if samples <= a < 2 * samples]
+    intervals = [((a - 0.5) / tracks.rate, (b - 0.5) / tracks.rate) for a, b in edges]
+    last = np.inf if tracks.cyclic else tracks.duration
+    return [Interval(max(start, 0.0), min(end, last)) for start, end in intervals]
+
+
+def _point_runs(height: Floats, speed: Floats) -> list[tuple[int, int]]:
+    """Return first sample, and the one after the last, of each contact of one point.
+
+    A contact needs samples that are low and slow; those that are nearly so bridge them. It
+    begins once the point is low and nearly slow, and ends once it is no longer slow: a foot
+    stops abruptly, and departs gradually.
+    """
+    caught = (height < 1.0) & (speed < 1.0)
+    kept = (height < _NEARLY[0]) & (speed < _NEARLY[1])
+    arrived = (height < 1.0) & kept
+    staying = (speed < 1.0) & kept
+    found: list[tuple[int, int]] = []
+    for first, end in runs(kept):
+        if caught[first:end].any():
+            start = first + int(arrived[first:end].argmax())
+            stop = end - int(staying[first:end][::-1].argmax())
+            found.append((start, stop))
+    return found

@@ -8,7 +8,7 @@ import numpy as np
 
 from footfall.arrays import Flags, Floats
 
-__all__ = ["Interval", "covers", "held_runs", "without_short_ones"]
+__all__ = ["Interval", "covers", "runs", "without_short_ones"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,23 +33,10 @@ class Interval:
         return self.end - self.start
 
 
-def held_runs(caught: Flags, kept: Flags) -> list[tuple[int, int]]:
-    """Return the runs that begin with a caught sample and last while samples are kept.
-
-    Args:
-        caught: Samples that can begin a run, shape (samples,).
-        kept: Samples that can go on with one, at least the caught ones, shape (samples,).
-
-    Returns:
-        First sample, and the one after the last, of each run, in order.
-    """
-    runs: list[tuple[int, int]] = []
-    edges = np.flatnonzero(np.diff(np.concatenate([[False], kept, [False]]).astype(np.int8)))
-    for first, end in edges.reshape(-1, 2):
-        hits = np.flatnonzero(caught[first:end])
-        if hits.size:
-            runs.append((int(first + hits[0]), int(end)))
-    return runs
+def runs(flags: Flags) -> list[tuple[int, int]]:
+    """Return first sample, and the one after the last, of each run of set flags, in order."""
+    edges = np.flatnonzero(np.diff(np.concatenate([[False], flags, [False]]).astype(np.int8)))
+    return [(int(first), int(end)) for first, end in edges.reshape(-1, 2)]
 
 
 def without_short_ones(

@@ -13,7 +13,7 @@ import numpy as np
 
 from footfall.arrays import Floats, Positions
 from footfall.motion import Clip
-from footfall.skeleton import Anatomy
+from footfall.skeleton import Anatomy, leg_length
 
 __all__ = ["FootTracks", "PlanarStep", "cycle_step", "foot_points", "foot_tracks"]
 
@@ -135,9 +135,9 @@ def foot_tracks(clip: Clip, anatomy: Anatomy) -> FootTracks:
     velocities = _velocities(smooth, step, rate, cyclic=clip.cyclic)
     if clip.cyclic:
         smooth, velocities = smooth[:-1], velocities[:-1]
-    leg_length = _leg_length(clip, anatomy)
+    length = _leg_length(clip, anatomy)
     travel = (clip.pelvis_positions[-1] - clip.pelvis_positions[0]) / max(clip.duration, 1e-9)
-    belt = _belt_velocity(smooth, velocities, math.hypot(travel[0], travel[2]), leg_length)
+    belt = _belt_velocity(smooth, velocities, math.hypot(travel[0], travel[2]), length)
     drift = np.array([belt[0], 0.0, belt[1]])
     times = np.arange(len(smooth)) / rate
     return FootTracks(
@@ -146,14 +146,13 @@ def foot_tracks(clip: Clip, anatomy: Anatomy) -> FootTracks:
         rate=rate,
         duration=clip.duration,
         cyclic=clip.cyclic,
-        leg_length=leg_length,
+        leg_length=length,
         belt_velocity=belt,
     )
 
 
 def _leg_length(clip: Clip, anatomy: Anatomy) -> float:
-    bone = clip.skeleton.bone_length
-    return 0.5 * sum(bone(leg.knee) + bone(leg.ankle) for leg in anatomy.legs)
+    return 0.5 * sum(leg_length(clip.skeleton, leg) for leg in anatomy.legs)
 
 
 def _padded(points: Positions, step: PlanarStep, count: int, *, cyclic: bool) -> Positions:
