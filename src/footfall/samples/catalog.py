@@ -1,0 +1,46 @@
+"""The samples by name."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+
+from footfall.errors import ArgumentError, UnknownNameError
+from footfall.motion import Clip
+from footfall.samples.gait import perform
+from footfall.samples.locomotion import GAITS
+from footfall.support import SupportSequence
+
+__all__ = ["sample", "sample_names"]
+
+_LOWEST_RATE = 10.0
+
+
+def sample_names() -> tuple[str, ...]:
+    """Return the names of all samples."""
+    return tuple(GAITS)
+
+
+def sample(name: str, *, fps: float = 60.0) -> tuple[Clip, SupportSequence]:
+    """Return a motion made by the project itself, and the supports it was made with.
+
+    The supports are not measured: the motion is built on them, so they are exact. Cyclic
+    samples last a whole number of frames; the others end on the last frame that fits.
+
+    Args:
+        name: One of `sample_names`.
+        fps: Frames per second, at least 10.
+
+    Raises:
+        UnknownNameError: If there is no such sample.
+        ArgumentError: If `fps` is below 10 or not finite.
+    """
+    if name not in sample_names():
+        raise UnknownNameError("sample", name, sample_names())
+    if not _LOWEST_RATE <= fps < float("inf"):
+        raise ArgumentError(f"fps is {fps}; a sample needs at least {_LOWEST_RATE:g} per second")
+    return _made(name, float(fps))
+
+
+@lru_cache(maxsize=64)
+def _made(name: str, fps: float) -> tuple[Clip, SupportSequence]:
+    return perform(GAITS[name], name, fps)
