@@ -6,7 +6,7 @@ from footfall.compilation import kernel
 from footfall.support import Support
 from footfall.sync.tables import ABSENT, ENDED_NEUTRAL, Rules, SequenceTable, Window
 
-__all__ = ["combine_column", "following", "has_ended", "recombine", "support_of"]
+__all__ = ["combine_column", "following", "has_ended", "own_phase", "recombine", "support_of"]
 
 FLIGHT = int(Support.FLIGHT)
 CONFLICT = int(Support.CONFLICT)
@@ -26,16 +26,26 @@ def support_of(table: SequenceTable, sequence: int, phase: int, ended: int) -> i
     Returns:
         A value of `Support`; DOUBLE, the neutral one, for `ABSENT`.
     """
+    own = own_phase(table, sequence, phase, ended)
+    return int(table.supports[table.first[sequence] + own]) if own >= 0 else DOUBLE
+
+
+@kernel
+def own_phase(table: SequenceTable, sequence: int, phase: int, ended: int) -> int:
+    """Return an absolute phase index as an index into the sequence's own list.
+
+    Returns:
+        The index, or `ABSENT` where the action does not play: it has left the schedule, or it
+        has ended and is neutral.
+    """
+    count = int(table.phase_count[sequence])
     if phase < 0:
-        return DOUBLE
-    count = table.phase_count[sequence]
+        return ABSENT
     if table.cyclic[sequence]:
-        phase %= count
-    elif phase >= count:
-        if ended == ENDED_NEUTRAL:
-            return DOUBLE
-        phase = count - 1
-    return int(table.supports[table.first[sequence] + phase])
+        return phase % count
+    if phase < count:
+        return phase
+    return ABSENT if ended == ENDED_NEUTRAL else count - 1
 
 
 @kernel

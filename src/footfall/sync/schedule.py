@@ -15,10 +15,10 @@ from dataclasses import dataclass
 
 from footfall.arrays import Indices, Supports
 from footfall.support import Support
-from footfall.sync.columns import has_ended, support_of
-from footfall.sync.tables import ENDED_NEUTRAL, Rules, SequenceTable, Window
+from footfall.sync.columns import has_ended, own_phase, support_of
+from footfall.sync.tables import Rules, SequenceTable, Window
 
-__all__ = ["Schedule", "ScheduleRow", "own_index"]
+__all__ = ["Schedule", "ScheduleRow"]
 
 CELL = 5
 """Characters a slot takes in print."""
@@ -158,23 +158,6 @@ class Schedule:
         return tuple(str(self.first_slot + slot) for slot in range(len(self.results)))
 
 
-def own_index(table: SequenceTable, rules: Rules, sequence: int, phase: int) -> int | None:
-    """Return an absolute phase index as an index into the sequence's own list.
-
-    Returns:
-        The index, or None where the action does not play: it has left the schedule, or, with
-        the default planner, has ended.
-    """
-    count = int(table.phase_count[sequence])
-    if phase < 0:
-        return None
-    if table.cyclic[sequence]:
-        return phase % count
-    if phase < count:
-        return phase
-    return None if rules.ended == ENDED_NEUTRAL else count - 1
-
-
 def _row(
     table: SequenceTable,
     rules: Rules,
@@ -183,7 +166,7 @@ def _row(
     priority: float,
     phases: list[int],
 ) -> ScheduleRow:
-    indices = tuple(own_index(table, rules, sequence, phase) for phase in phases)
+    own = [own_phase(table, sequence, phase, rules.ended) for phase in phases]
     held = tuple(
         slot > 0 and phase == phases[slot - 1] and not has_ended(table, sequence, phase)
         for slot, phase in enumerate(phases)
@@ -195,10 +178,9 @@ def _row(
     return ScheduleRow(
         name=name,
         priority=priority,
-        phases=indices,
+        phases=tuple(None if index < 0 else index for index in own),
         supports=tuple(
-            None if index is None else support(phase)
-            for index, phase in zip(indices, phases, strict=True)
+            None if index < 0 else support(phase) for index, phase in zip(own, phases, strict=True)
         ),
         held=held,
         following=tuple(

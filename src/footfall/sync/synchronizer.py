@@ -11,10 +11,11 @@ import numpy as np
 
 from footfall.errors import ArgumentError
 from footfall.support import Support, SupportSequence
+from footfall.sync.columns import own_phase
 from footfall.sync.paper import enter_next_slot
 from footfall.sync.planner import REFUSED, reconsider, release_action, start_action
 from footfall.sync.refusal import explain_refusal
-from footfall.sync.schedule import Schedule, own_index
+from footfall.sync.schedule import Schedule
 from footfall.sync.shares import spend_slot
 from footfall.sync.tables import (
     ABSENT,
@@ -184,7 +185,7 @@ class Synchronizer:
     def _deactivate_the_ended(self) -> None:
         table, window, rules = self._table, self._window, self._rules
         for action in self.playing:
-            if own_index(table, rules, action, int(window.phases[action, 0])) is None:
+            if own_phase(table, action, int(window.phases[action, 0]), rules.ended) == ABSENT:
                 release_action(table, window, rules, action)
 
     def _check(self, action: int) -> None:

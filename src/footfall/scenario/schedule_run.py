@@ -1,0 +1,106 @@
+"""One schedule problem played from its first slot to its last, in one compiled call."""
+
+from __future__ import annotations
+
+import math
+
+from footfall.arrays import Indices, Seconds, Supports, Weights
+from footfall.compilation import kernel
+from footfall.support import Support
+from footfall.sync.columns import has_ended, own_phase
+from footfall.sync.paper import enter_next_slot
+from footfall.sync.planner import REFUSED, start_action
+from footfall.sync.shares import column_share, natural_duration, spend_slot
+from footfall.sync.tables import ABSENT, ENDED_NEUTRAL, Rules, SequenceTable, Window
+from footfall.timing.weights import slot_duration
+
+__all__ = ["play_commands"]
+
+CONFLICT = int(Support.CONFLICT)
+NOT_STARTED = -1
+
+
+@kernel
+def play_commands(
+    table: SequenceTable,
+    window: Window,
+    rules: Rules,
+    order: Indices,
+    commands: Indices,
+    started: Indices,
+    rows: Indices,
+    results: Supports,
+    durations: Seconds,
+    shares: Weights,
+    natural: Seconds,
+) -> int:
+    """Play the start commands of a problem, one slot after the other.
+
+    Args:
+        table: The sequences; that of action i is row i, and its seat is seat i.
+        window: An empty window with the sequences, priorities and weights of the seats.
+        rules: The rules of the planner.
+        order: The actions, oldest command first, shape (actions,).
+        commands: The slot of each start command, shape (actions,).
+        started: The slot in which each action started, or -1; written, shape (actions,).
+        rows: Each action's phase as an index into its own list, `ABSENT` while it does not
+            play; written, shape (actions, slots).
+        results: The combined support of each slot; written, shape (slots,).
+        durations: How long each slot lasts; NaN where nobody votes or the
+            rule failed; written, shape (slots,).
+        shares: Working memory, shape (actions,).
+        natural: Working memory, shape (actions,).
+
+    Returns:
+        How many slots were played; fewer than asked for if the last of them is a conflict.
+    """
+    activations = 0
+    for slot in range(results.shape[0]):
+        if slot > 0:
+            spend_slot(table, window)
+            enter_next_slot(table, window, rules)
+        if window.results[0] != CONFLICT:
+            for rank in range(order.shape[0]):
+                seat = int(order[rank])
+                if commands[seat] <= slot and started[seat] == NOT_STARTED:
+                    window.age[seat] = activations
+                    if start_action(table, window, rules, seat, 0.0) != REFUSED:
+                        started[seat] = slot
+                        activations += 1
+        results[slot] = window.results[0]
+        for seat in range(order.shape[0]):
+            rows[seat, slot] = (
+                own_phase(table, window.sequence[seat], window.phases[seat, 0], rules.ended)
+                if window.playing[seat]
+                else ABSENT
+            )
+        if window.results[0] == CONFLICT:
+            durations[slot] = math.nan
+            return slot + 1
+        durations[slot] = _duration(table, window, rules, shares, natural)
+    return results.shape[0]
+
+
+@kernel
+def _duration(
+    table: SequenceTable, window: Window, rules: Rules, shares: Weights, natural: Seconds
+) -> float:
+    """Return how long the slot being played lasts (eq. 6).
+
+    In paper mode a phase votes with all of its duration in every slot that it covers; with the
+    default planner with what is left of it, split over the slots that are left to it.
+    """
+    voters = 0
+    for seat in range(window.playing.shape[0]):
+        phase = window.phases[seat, 0]
+        if not window.playing[seat] or phase < 0:
+            continue
+        if rules.ended == ENDED_NEUTRAL:
+            if has_ended(table, window.sequence[seat], phase):
+                continue
+            natural[voters] = column_share(table, window, seat, 0)
+        else:
+            natural[voters] = natural_duration(table, window.sequence[seat], phase)
+        shares[voters] = window.weight[seat]
+        voters += 1
+    return slot_duration(shares, natural, voters) if voters > 0 else math.nan
