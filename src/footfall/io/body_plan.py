@@ -8,7 +8,7 @@ from functools import cached_property
 
 import numpy as np
 
-from footfall.arrays import Floats, Indices, Positions
+from footfall.arrays import Positions
 from footfall.io.lofts import Loft
 from footfall.skeleton import Anatomy, BodyPart, Skeleton
 
@@ -90,10 +90,11 @@ class BodyPlan:
     def trunk_path(self) -> tuple[int, ...]:
         """Joints from the pelvis up to the neck's lower end."""
         parts = self.anatomy.parts
-        tops = np.flatnonzero(parts == BodyPart.HEAD)
-        if len(tops) == 0:
-            tops = np.flatnonzero(parts == BodyPart.TRUNK)[-1:]
-        return self.path(0, int(tops[0])) if len(tops) else (0,)
+        end = self.anatomy.head
+        if end is None:
+            trunk: list[int] = np.flatnonzero(parts == BodyPart.TRUNK).tolist()
+            return self.path(0, trunk[-1]) if trunk else (0,)
+        return self.path(0, min(j for j in self.path(0, end) if parts[j] == parts[end]))
 
     def path(self, start: int, end: int) -> tuple[int, ...]:
         """Return the joints from `start` down to its descendant `end`, both included."""
@@ -101,29 +102,6 @@ class BodyPlan:
         while joints[-1] not in (start, -1):
             joints.append(int(self.skeleton.parents[joints[-1]]))
         return tuple(joint for joint in reversed(joints) if joint >= 0)
-
-    def chain(self, start: int) -> tuple[int, ...]:
-        """Return the joints from `start` down towards the leaf that is farthest along."""
-        reach = self._reach
-        joints = [start]
-        while children := self.skeleton.children(joints[-1]):
-            joints.append(max(children, key=lambda child: reach[child]))
-        return tuple(joints)
-
-    @cached_property
-    def _reach(self) -> Floats:
-        """Length of the longest way from each joint's parent to a tip below it [m]."""
-        reach = np.linalg.norm(self.skeleton.tip_offsets, axis=-1)
-        lengths = np.linalg.norm(self.skeleton.rest_offsets, axis=-1)
-        for joint in range(self.skeleton.count - 1, -1, -1):
-            below = [reach[child] for child in self.skeleton.children(joint)]
-            reach[joint] = lengths[joint] + max([reach[joint], *below])
-        return reach
-
-    def first_of(self, part: BodyPart) -> int | None:
-        """Return the uppermost joint of a part of the body, or None where it has none."""
-        joints: Indices = np.flatnonzero(self.anatomy.parts == part)
-        return int(joints[0]) if len(joints) else None
 
     def visible(self, offset: Positions) -> bool:
         """Whether a bone is long enough to be worth a limb."""

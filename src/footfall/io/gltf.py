@@ -8,12 +8,13 @@ from typing import Any
 import numpy as np
 
 from footfall.arrays import Positions
+from footfall.errors import SkeletonError
 from footfall.geometry import continuous
 from footfall.io.atomic import write_atomically
 from footfall.io.gltf_buffers import ARRAY_BUFFER, ELEMENT_ARRAY_BUFFER, BufferBuilder, glb_bytes
 from footfall.io.mannequin import Mannequin, Tone, mannequin
 from footfall.motion import Clip
-from footfall.skeleton import Anatomy, Skeleton
+from footfall.skeleton import Anatomy, Skeleton, find_anatomy
 
 __all__ = ["save_gltf"]
 
@@ -28,9 +29,7 @@ _COLORS = {
 }
 
 
-def save_gltf(
-    clip: Clip, path: Path, *, anatomy: Anatomy | None = None, supports: str | None = None
-) -> None:
+def save_gltf(clip: Clip, path: Path, *, supports: str | None = None) -> None:
     """Write a self-contained .glb file.
 
     The keys are linear, one a frame; quaternions change sign nowhere, so that no viewer turns
@@ -39,8 +38,6 @@ def save_gltf(
     Args:
         clip: The motion.
         path: The file; replaced if it exists.
-        anatomy: What the joints are, for the mannequin's limbs; without it each bone is a
-            plain capsule.
         supports: What carries the body, one of ``R L D -`` a frame; kept with the animation,
             in its `extras`.
 
@@ -49,7 +46,7 @@ def save_gltf(
     """
     buffers = BufferBuilder()
     skeleton = clip.skeleton
-    surface = mannequin(skeleton, anatomy)
+    surface = mannequin(skeleton, _anatomy(skeleton))
     document: dict[str, Any] = {
         "asset": {"version": "2.0", "generator": "footfall"},
         "scene": 0,
@@ -67,6 +64,14 @@ def save_gltf(
     document["accessors"] = buffers.accessors
     document["buffers"] = [{"byteLength": len(buffers.data)}]
     write_atomically(path, glb_bytes(document, buffers.data))
+
+
+def _anatomy(skeleton: Skeleton) -> Anatomy | None:
+    """Return what the joints are; None for a body without two legs: it is written all the same."""
+    try:
+        return find_anatomy(skeleton)
+    except SkeletonError:
+        return None
 
 
 def _joint_nodes(clip: Clip) -> list[dict[str, Any]]:

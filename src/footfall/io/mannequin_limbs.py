@@ -15,7 +15,7 @@ __all__ = ["arm_limbs", "leg_limbs"]
 
 # Radii as shares of stature.
 _HIP, _KNEE, _ANKLE = 0.047, 0.031, 0.021
-_CLAVICLE, _SHOULDER, _WRIST, _FINGER = 0.027, 0.028, 0.015, 0.0052
+_CLAVICLE, _SHOULDER, _ELBOW, _WRIST, _FINGER = 0.027, 0.028, 0.021, 0.015, 0.0052
 
 
 def leg_limbs(plan: BodyPlan) -> tuple[Limb, ...]:
@@ -102,33 +102,40 @@ def _toes(frame: tuple[Positions, Positions], length: float, drop: float, size: 
 
 
 def arm_limbs(plan: BodyPlan) -> tuple[Limb, ...]:
-    """Return shoulders, arms, hands and fingers."""
+    """Return shoulders, arms, hands and fingers; plain bones where no arm was recognized."""
     limbs: list[Limb] = []
-    for part, tone in ((BodyPart.LEFT_ARM, Tone.LEFT), (BodyPart.RIGHT_ARM, Tone.RIGHT)):
-        first = plan.first_of(part)
-        if first is None:
+    sides = zip(
+        plan.anatomy.arms,
+        (BodyPart.LEFT_ARM, BodyPart.RIGHT_ARM),
+        (Tone.LEFT, Tone.RIGHT),
+        strict=True,
+    )
+    for arm, part, tone in sides:
+        if arm is None:
+            limbs += _plain_arm(plan, part, tone)
             continue
-        chain = plan.chain(first)
-        shoulder, wrist = _shoulder_and_wrist(plan, chain)
-        above = plan.path(int(plan.skeleton.parents[first]), chain[shoulder])
+        first = int(np.flatnonzero(plan.anatomy.parts == part)[0])
+        above = plan.path(max(int(plan.skeleton.parents[first]), 0), arm.shoulder)
         limbs += _tapered(plan, above, Tone.BODY, (_CLAVICLE, _CLAVICLE))
-        limbs += _tapered(plan, chain[shoulder : wrist + 1], tone, (_SHOULDER, _WRIST))
-        limbs += _hand(plan, chain, wrist, tone)
+        limbs += _tapered(plan, plan.path(arm.shoulder, arm.elbow), tone, (_SHOULDER, _ELBOW))
+        limbs += _tapered(plan, plan.path(arm.elbow, arm.wrist), tone, (_ELBOW, _WRIST))
+        limbs += _hand(plan, arm.wrist, tone)
     return tuple(limbs)
 
 
-def _shoulder_and_wrist(plan: BodyPlan, chain: tuple[int, ...]) -> tuple[int, int]:
-    """Return the places in the chain that bound its two longest bones."""
-    lengths = [float(np.linalg.norm(plan.skeleton.rest_offsets[joint])) for joint in chain[1:]]
-    longest = sorted(sorted(range(len(lengths)), key=lambda i: -lengths[i])[:2])
-    return (longest[0], longest[-1] + 1) if longest else (0, 0)
+def _plain_arm(plan: BodyPlan, part: BodyPart, tone: Tone) -> list[Limb]:
+    joints: list[int] = np.flatnonzero(plan.anatomy.parts == part).tolist()
+    limbs: list[Limb] = []
+    for joint in joints:
+        limbs += _tapered(plan, (int(plan.skeleton.parents[joint]), joint), tone, (_WRIST, _WRIST))
+    return limbs
 
 
-def _hand(plan: BodyPlan, chain: tuple[int, ...], wrist: int, tone: Tone) -> list[Limb]:
+def _hand(plan: BodyPlan, joint: int, tone: Tone) -> list[Limb]:
     """Return the palm, and thin fingers where the skeleton has them."""
-    size, skeleton, joint = plan.stature, plan.skeleton, chain[wrist]
+    size, skeleton = plan.stature, plan.skeleton
     children = [child for child in skeleton.children(joint) if plan.visible(_offset(plan, child))]
-    arm = _offset(plan, joint) if wrist else plan.left
+    arm = _offset(plan, joint)
     reach = (
         np.mean([_offset(plan, child) for child in children], axis=0)
         if children

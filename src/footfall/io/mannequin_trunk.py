@@ -9,7 +9,6 @@ import numpy as np
 from footfall.arrays import Floats, Positions
 from footfall.io.body_plan import BodyPlan, Limb, Tone, across_axis, unit
 from footfall.io.lofts import Loft, capsule, ellipsoid
-from footfall.skeleton import BodyPart
 
 __all__ = ["head_limbs", "trunk_limbs"]
 
@@ -75,11 +74,10 @@ def _trunk_profile(heights: Floats, stature: float) -> tuple[Floats, Floats]:
 
 def head_limbs(plan: BodyPlan) -> tuple[Limb, ...]:
     """Return the neck and a head with a face that tells where it looks."""
-    base = plan.first_of(BodyPart.HEAD)
-    if base is None:
+    head = plan.anatomy.head
+    if head is None:
         return ()
-    size = plan.stature
-    head = _head_joint(plan, base)
+    size, base = plan.stature, plan.trunk_path[-1]
     limbs: list[Limb] = []
     for joint, child in pairwise(plan.path(base, head)):
         offset = plan.skeleton.rest_offsets[child]
@@ -92,14 +90,3 @@ def head_limbs(plan: BodyPlan) -> tuple[Limb, ...]:
     face_center = center + 0.036 * size * plan.forward - 0.002 * size * up
     face = ellipsoid(face_center, plan.left, up, (0.031 * size, 0.022 * size, 0.024 * size))
     return (*limbs, Limb(head, Tone.BODY, skull, 18), Limb(head, Tone.FACE, face))
-
-
-def _head_joint(plan: BodyPlan, base: int) -> int:
-    """Return the joint at the lower end of the skull, by its name or else by its place."""
-    below = [joint for joint in plan.chain(base) if plan.anatomy.parts[joint] == BodyPart.HEAD]
-    for joint in below:
-        if plan.skeleton.names[joint].lower().endswith("head"):
-            return joint
-    longest = 0.09 * plan.stature
-    reached = [j for j in below if np.linalg.norm(plan.rest[j] - plan.rest[base]) < longest]
-    return reached[-1]
