@@ -1,0 +1,194 @@
+"""From what a BVH file says to a clip: each conclusion in turn, with its reason."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+
+from footfall.errors import ArgumentError, ClipError, FileFormatError, SkeletonError
+from footfall.io.bvh_rig import BvhRig
+from footfall.io.conclusions import Conclusion, Conclusions
+from footfall.io.fixed_bones import fix_bones
+from footfall.io.frame_rate import conclude_rate
+from footfall.io.observations import (
+    conclude_cyclic,
+    conclude_feet,
+    conclude_first_frame,
+    conclude_floor,
+    legs_or_reason,
+)
+from footfall.io.root_layout import fold_root, rest_skeleton
+from footfall.io.units import UNITS, Unit, parse_unit, unit_of_leg
+from footfall.io.up_axis import conclude_up, turned_up
+from footfall.motion import Clip
+from footfall.skeleton import Anatomy, Skeleton, leg_length
+
+__all__ = ["clip_from_rig"]
+
+WORTH_TELLING = 0.001
+"""Bones that stray further than this are named in the clip's provenance [m]."""
+
+
+def clip_from_rig(
+    rig: BvhRig,
+    path: Path,
+    *,
+    unit: str | float | None = None,
+    up: str | None = None,
+    fps: float | None = None,
+) -> tuple[Clip, Conclusions]:
+    """Conclude what a file means.
+
+    Args:
+        rig: What it says.
+        path: Its name, for messages and the clip's name.
+        unit: Its unit, if known: a name of `footfall.io.units.UNITS`, or metres.
+        up: Its upward axis, if known: ``"y"`` or ``"z"``.
+        fps: Its frame rate, if known.
+
+    Returns:
+        The clip and what was concluded.
+
+    Raises:
+        FileFormatError: If something can be neither found nor was given.
+        ArgumentError: If `unit`, `up` or `fps` is impossible.
+    """
+    known_unit = None if unit is None else parse_unit(unit)
+    if up not in (None, "y", "z"):
+        raise ArgumentError(f"up={up!r} is unknown; use 'y' or 'z'")
+    rate = conclude_rate(rig.frame_time, fps)
+    try:
+        found = legs_or_reason(rest_skeleton(rig))
+        legs = None if isinstance(found, str) else found
+        if legs is None:
+            _ask_without_legs(known_unit, up, path)
+        folded, root = fold_root(rig, legs)
+        anatomy = legs_or_reason(rest_skeleton(folded)) if legs is not None else str(found)
+        legs = None if isinstance(anatomy, str) else anatomy
+        fixed, bones = fix_bones(folded, legs, path)
+        return _assembled(fixed, anatomy, path, known_unit, up, (rate, root, bones))
+    except (SkeletonError, ClipError) as error:
+        raise FileFormatError(str(error), path=path) from error
+
+
+def _ask_without_legs(unit: Unit | None, up: str | None, path: Path) -> None:
+    """Complain that the unit and the upward axis are neither known nor to be found."""
+    missing: list[str] = []
+    if unit is None:
+        missing.append(f"unit= ({', '.join(known.name for known in UNITS)}, or a number of metres)")
+    if up is None:
+        missing.append("up= ('y' or 'z')")
+    if missing:
+        raise FileFormatError(
+            "no two legs are found, from which unit and upward axis are concluded; pass "
+            + " and ".join(missing),
+            path=path,
+        )
+
+
+def _assembled(
+    rig: BvhRig,
+    anatomy: Anatomy | str,
+    path: Path,
+    unit: Unit | None,
+    up: str | None,
+    concluded: tuple[Conclusion[float], Conclusion[str], Conclusion[float]],
+) -> tuple[Clip, Conclusions]:
+    rate, root, bones = concluded
+    raw = rest_skeleton(rig)
+    unit_found = _conclude_unit(raw, anatomy, unit, path)
+    metres = unit_found.value.metres
+    places = metres * rig.translations.get(0, np.zeros((rig.frames, 3)))
+    body = Skeleton(raw.names, raw.parents, metres * raw.rest_offsets, metres * raw.tip_offsets)
+    if up is not None:
+        up_found = Conclusion(up, f"{up}, as asked for")
+    elif isinstance(anatomy, str):
+        raise FileFormatError("no two legs are found; pass up='y' or up='z'", path=path)
+    else:
+        up_found = conclude_up(body, anatomy, places, rig.rotations, path)
+    skeleton, places, rotations = turned_up(body, places, rig.rotations, up_found.value)
+    clip = Clip(skeleton, places, rotations, rate.value, name=clip_name(path))
+    world_rotations, positions = clip.world_poses()
+    # Foot points are lengths: found anew, in metres and with y up.
+    anatomy = anatomy if isinstance(anatomy, str) else legs_or_reason(skeleton)
+    conclusions = Conclusions(
+        unit=unit_found,
+        up=up_found,
+        root=root,
+        bones=_in_metres(bones, metres),
+        frames=_conclude_frames(rig),
+        fps=rate,
+        feet=conclude_feet(skeleton, anatomy),
+        first_frame=conclude_first_frame(positions),
+        floor=conclude_floor(anatomy, world_rotations, positions),
+        cyclic=conclude_cyclic(positions),
+    )
+    provenance = _provenance(path, conclusions, rig)
+    return clip.evolve(cyclic=conclusions.cyclic.value, provenance=provenance), conclusions
+
+
+def _conclude_unit(
+    raw: Skeleton, anatomy: Anatomy | str, unit: Unit | None, path: Path
+) -> Conclusion[Unit]:
+    lengths = [] if isinstance(anatomy, str) else [leg_length(raw, leg) for leg in anatomy.legs]
+    mean = sum(lengths) / max(len(lengths), 1)
+    if unit is not None:
+        legs = f"; the legs are then {mean * unit.metres:.3f} m long" if lengths else ""
+        return Conclusion(unit, f"{unit.name}, as asked for{legs}")
+    found = unit_of_leg(mean)
+    if found is None:
+        readings = ", ".join(f"{mean * known.metres:.3g} m in {known.name}" for known in UNITS)
+        raise FileFormatError(
+            f"the legs are {mean:.6g} long, which is a person's in no unit ({readings}); "
+            "pass unit=",
+            path=path,
+        )
+    return Conclusion(
+        found,
+        f"{found.name} ({found.metres:.6g} m): the legs are then {mean * found.metres:.3f} m long, "
+        "and in any other unit no person's",
+    )
+
+
+def _in_metres(bones: Conclusion[float], metres: float) -> Conclusion[float]:
+    if bones.value == 0.0:
+        return bones
+    stray = bones.value * metres
+    return Conclusion(stray, f"{bones.reason}, by {stray * 1000.0:.1f} mm")
+
+
+def _conclude_frames(rig: BvhRig) -> Conclusion[int]:
+    if rig.frames == rig.declared_frames:
+        return Conclusion(rig.frames, f"{rig.frames}, as the file declares")
+    return Conclusion(
+        rig.frames,
+        f"{rig.frames}, though the file declares {rig.declared_frames}: one whole frame more "
+        "follows, and is read",
+    )
+
+
+def _provenance(path: Path, conclusions: Conclusions, rig: BvhRig) -> tuple[str, ...]:
+    """Return what to remember of the reading, the doubtful things in full."""
+    lines = [
+        f"read from {path.name}: unit {conclusions.unit.value.name}, {conclusions.up.value} up, "
+        f"{conclusions.fps.value:g} frames per second, pelvis {conclusions.root.value!r}"
+    ]
+    if "IMPLAUSIBLE" in conclusions.fps.reason:
+        lines.append(conclusions.fps.reason)
+    if rig.frames != rig.declared_frames:
+        lines.append(f"frames: {conclusions.frames.reason}")
+    if conclusions.bones.value > WORTH_TELLING:
+        lines.append(f"bones: {conclusions.bones.reason}")
+    if conclusions.first_frame.value:
+        lines.append(f"first frame: {conclusions.first_frame.reason}")
+    return tuple(lines)
+
+
+def clip_name(path: Path) -> str:
+    """Return a file's name without its folder and its suffixes."""
+    name = path.name
+    for suffix in (".gz", ".bvh", ".npz"):
+        if name.lower().endswith(suffix):
+            name = name[: -len(suffix)]
+    return name or "clip"
