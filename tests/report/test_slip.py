@@ -11,7 +11,7 @@ from tests.report.bodies import HEEL, LEFT, TOE, resting_feet, slide, trace_of
 
 from footfall.arrays import Floats, Positions
 from footfall.geometry import from_yaw, multiply, rotate
-from footfall.report import SpanMeasure, Trace, Track, measure_spans
+from footfall.report import SpanMeasure, Trace, Track, carried_steps, measure_spans
 
 FRAMES = 41
 
@@ -75,6 +75,14 @@ def test_a_foot_that_rolls_from_heel_to_toe_scores_zero() -> None:
     assert np.ptp(points[:, LEFT, HEEL, 2]) > 0.05
     assert measure.slip == pytest.approx(0.0, abs=1e-12)
     assert measure.drift == pytest.approx(0.0, abs=1e-12)
+
+
+def test_a_point_carries_a_step_only_if_it_is_in_contact_at_both_ends_of_it() -> None:
+    places = np.zeros((3, 2, 2))
+    places[:, TOE, 1] = [0.0, 0.01, 0.03]
+    contacts = np.array([[True, True], [True, True], [False, True]])
+    steps = carried_steps(places, np.zeros((3, 2)), contacts)
+    assert steps == pytest.approx(np.array([[0.0, 0.0], [0.0, 0.02]]))
 
 
 def test_a_foot_that_hovers_does_not_score_zero() -> None:
@@ -154,6 +162,8 @@ def test_resting_levels_are_estimated_for_each_point_where_they_are_not_given() 
     points = resting_feet(FRAMES)
     points[:, LEFT, HEEL, 1] = 0.09
     points[:, LEFT, TOE, 1] = 0.02
+    points[0, LEFT, TOE, 1] = -0.5
+    points[5:, LEFT, TOE, 1] = 0.3
     track = Track.from_trace(trace_of(points, "L" * FRAMES, resting_levels=None))
     assert track.resting_levels == pytest.approx(np.array([[0.04, 0.02], [0.0, 0.0]]))
 
@@ -167,7 +177,9 @@ def test_excess_is_slip_over_the_mean_slip_of_the_sources_that_stand_there() -> 
     points = resting_feet(FRAMES)
     points[:, LEFT, :, 2] += slide(FRAMES, 0.040)[:, np.newaxis]
     sources = np.full((FRAMES, 2), np.nan)
+    sources[:4, LEFT] = 0.9
     sources[5:25, LEFT] = 0.002
+    sources[-4:, LEFT] = 0.9
     (measure,) = measure_spans(Track.from_trace(trace_of(points, "L" * FRAMES)), sources)
     assert measure.inner_slip == pytest.approx(0.032)
     assert measure.excess == pytest.approx(0.030)

@@ -52,6 +52,12 @@ def test_given_flags_decide_whether_weights_move() -> None:
     assert spans_of("LLLL", shares=shares, moving=moving) == [(0, 0, 4, Group.TRANSITIONS)]
 
 
+def test_one_action_must_have_all_the_weight_throughout_to_be_alone() -> None:
+    shares = np.array([[1.0, 0.0], [1.0, 0.0], [0.0, 1.0], [0.0, 1.0]])
+    still = np.zeros(4, dtype=np.bool_)
+    assert spans_of("LLLL", shares=shares, moving=still) == [(0, 0, 4, Group.MIXES)]
+
+
 def test_the_inner_part_leaves_out_four_frames_at_each_end() -> None:
     assert Span(0, 10, 30, Group.ALONE).inner == (14, 26)
 

@@ -94,3 +94,33 @@ def test_the_surface_under_the_heel_is_under_the_ankle() -> None:
     assert low.weighted_skate > 0.0
     assert measure(trace_of(points, "L" * 20, ground=5.0)).weighted_skate == low.weighted_skate
     assert measure(trace_of(points, "L" * 20)).weighted_skate == 0.0
+
+
+def test_the_floor_of_the_skate_metrics_is_where_the_toes_rest() -> None:
+    points = resting_feet(20)
+    points[:, LEFT, :, 2] += slide(20, 0.4)[:, np.newaxis]
+    on_floor, sunk = trace_of(points, "L" * 20), points.copy()
+    sunk[..., 1] -= 0.07
+    below = trace_of(sunk, "L" * 20, resting_levels=np.full((2, 2), -0.07))
+    one, other = measure(on_floor), measure(below)
+    assert one.skating_ratio == other.skating_ratio == 1.0
+    assert one.weighted_skate == pytest.approx(other.weighted_skate)
+
+
+def test_a_foot_on_a_platform_does_not_skate() -> None:
+    way = np.stack([slide(20, 1.0), np.zeros(20), slide(20, 2.0)], axis=-1)
+    points = resting_feet(20) + way[:, np.newaxis, np.newaxis]
+    report = measure(trace_of(points, "L" * 20, surface_displacement=way))
+    assert report.weighted_skate == pytest.approx(0.0, abs=1e-9)
+    assert report.skating_ratio == 0.0
+
+
+def test_a_faster_clip_is_not_livelier() -> None:
+    points = resting_feet(60)
+    points[..., 0] += (0.2 * np.sin(np.arange(60) / 8.0))[:, np.newaxis, np.newaxis]
+    own = measure(trace_of(points, "L" * 60)).pops
+    doubled = measure(trace_of(points, "L" * 60, rates=np.full(60, 2.0))).pops
+    assert own is not None
+    assert doubled is not None
+    assert doubled.speed_max == pytest.approx(own.speed_max / 2.0)
+    assert doubled.acceleration_max == pytest.approx(own.acceleration_max / 4.0)

@@ -1,6 +1,7 @@
 """Skate metrics of other people's papers, so that results can be set beside theirs.
 
-They guess contacts from heights over the floor, and so judge only what looks planted.
+They guess contacts from heights over the floor, and so judge only what looks planted. The floor
+is where the toes rest: files of one family may differ by several centimeters.
 """
 
 from __future__ import annotations

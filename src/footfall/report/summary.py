@@ -124,7 +124,7 @@ def measure(
         pops=pops,
         pop_ratios=ratios,
         weighted_skate=_weighted_skate(track),
-        skating_ratio=skating_ratio(track.places[:, :, TOE], track.heights[:, :, TOE], RATE),
+        skating_ratio=skating_ratio(track.places[:, :, TOE], track.clearances[:, :, TOE], RATE),
     )
 
 
@@ -141,12 +141,13 @@ def _clearances(spans: Iterable[SpanMeasure], *, below: bool) -> Iterator[tuple[
 
 
 def _weighted_skate(track: Track) -> float:
-    # The surface under the heel is taken for the one under the ankle.
+    # The floor is where the toes rest; under the ankle the surface is that under the heel.
     surface = track.points[:, :, HEEL, 1] - track.heights[:, :, HEEL]
+    floor = surface + track.resting_levels[:, TOE]
     ankles = track.ankles - track.surface_displacement[:, :, HEEL]
     return weighted_skate(
         ankles[..., [0, 2]],
-        track.ankles[..., 1] - surface,
+        track.ankles[..., 1] - floor,
         track.places[:, :, TOE],
-        track.heights[:, :, TOE],
+        track.clearances[:, :, TOE],
     )
