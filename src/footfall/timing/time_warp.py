@@ -127,13 +127,21 @@ class TimeWarp:
                 f"knots of shapes {clock.shape}, {clip.shape} and {rates.shape}; "
                 "a time warp needs three equal ones of at least (2,)"
             )
-        for label, wrong, rule in (
-            ("clock times", ~(np.diff(clock) > 0.0), "increase"),
-            ("clip times", ~(np.diff(clip) >= 0.0), "never decrease"),
-            ("rates", ~((rates >= 0.0) & np.isfinite(rates)), "be finite and >= 0"),
+        for label, times, wrong, rule in (
+            ("clock times", clock, ~(np.diff(clock) > 0.0), "increase"),
+            ("clip times", clip, ~(np.diff(clip) >= 0.0), "never decrease"),
         ):
             if wrong.any():
-                raise ArgumentError(f"{label} must {rule}; knot {int(wrong.argmax())} breaks that")
+                k = int(wrong.argmax()) + 1
+                raise ArgumentError(
+                    f"{label} must {rule}, but knot {k} is at {times[k]} after {times[k - 1]}"
+                )
+        wrong = ~((rates >= 0.0) & np.isfinite(rates))
+        if wrong.any():
+            k = int(wrong.argmax())
+            raise ArgumentError(
+                f"rates must be finite and >= 0, but the one at knot {k} is {rates[k]}"
+            )
         object.__setattr__(self, "clock_times", clock)
         object.__setattr__(self, "clip_times", clip)
         object.__setattr__(self, "rates", rates)
