@@ -1,1 +1,17 @@
-"""From a clip to its support phases."""
+"""From a clip to its support phases, and to a clip whose planted feet hold."""
+
+from footfall.detection.cleaning import CleanedClip, clean, clean_and_tell
+from footfall.detection.contacts import Contacts, detect_contacts
+from footfall.detection.intervals import Interval
+from footfall.detection.phases import detect_supports, frame_symbols
+
+__all__ = [
+    "CleanedClip",
+    "Contacts",
+    "Interval",
+    "clean",
+    "clean_and_tell",
+    "detect_contacts",
+    "detect_supports",
+    "frame_symbols",
+]

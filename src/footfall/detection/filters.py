@@ -1,12 +1,14 @@
-"""Moving minimum and mean along the first axis, over the ends of a cycle too."""
+"""Filters along the first axis."""
 
 from __future__ import annotations
+
+import math
 
 import numpy as np
 
 from footfall.arrays import Floats
 
-__all__ = ["moving_mean", "moving_minimum"]
+__all__ = ["gaussian", "moving_maximum", "moving_mean", "moving_minimum"]
 
 
 def _padded(values: Floats, radius: int, *, cyclic: bool) -> Floats:
@@ -39,3 +41,28 @@ def moving_mean(values: Floats, radius: int, *, cyclic: bool) -> Floats:
     sums = np.concatenate([np.zeros((1, *values.shape[1:])), np.cumsum(padded, axis=0)])
     width = 2 * radius + 1
     return (sums[width:] - sums[:-width]) / width
+
+
+def moving_maximum(values: Floats, radius: int, *, cyclic: bool) -> Floats:
+    """Return the greatest of the values up to `radius` samples away; see `moving_minimum`."""
+    return -moving_minimum(-values, radius, cyclic=cyclic)
+
+
+def gaussian(values: Floats, deviation: float, *, cyclic: bool = False) -> Floats:
+    """Return the values through a Gaussian low-pass without delay, shape (samples, ...).
+
+    Args:
+        values: One row a sample, shape (samples, ...).
+        deviation: Of the Gaussian [samples], >= 0.
+        cyclic: Whether the last sample is followed by the first; else the end values go on.
+    """
+    radius = math.ceil(3.5 * deviation) if deviation > 0.05 else 0
+    if radius == 0:
+        return values
+    weights = np.exp(-0.5 * (np.arange(-radius, radius + 1) / deviation) ** 2)
+    weights /= weights.sum()
+    padded = _padded(values, radius, cyclic=cyclic)
+    smooth = np.zeros_like(values)
+    for index, weight in enumerate(weights):
+        smooth += weight * padded[index : index + len(values)]
+    return smooth

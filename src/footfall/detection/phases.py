@@ -76,11 +76,13 @@ def contact_supports(
 
 def _boundaries(contacts: Contacts) -> np.ndarray[tuple[int], np.dtype[np.float64]]:
     """Return all times at which a contact begins or ends, with both ends of the clip."""
-    times = [0.0, contacts.duration]
-    for foot in contacts.intervals:
-        for interval in foot:
-            for time in (interval.start, interval.end):
-                times.append(time % contacts.duration if contacts.cyclic else time)
+    times = [
+        time % contacts.duration if contacts.cyclic else time
+        for foot in contacts.intervals
+        for interval in foot
+        for time in (interval.start, interval.end)
+    ]
+    times += [0.0, contacts.duration]
     ordered = np.unique(np.clip(times, 0.0, contacts.duration))
     apart = np.concatenate([[True], np.diff(ordered) > 1e-9])
     kept = ordered[apart]

@@ -11,11 +11,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from footfall.arrays import Floats, Positions
-from footfall.motion import Clip
+from footfall.arrays import Floats, Positions, Rotations
+from footfall.motion import Clip, cycle_displacement
 from footfall.skeleton import Anatomy, leg_length
 
-__all__ = ["FootTracks", "PlanarStep", "cycle_step", "foot_points", "foot_tracks"]
+__all__ = ["FootTracks", "PlanarStep", "foot_tracks", "points_of_pose"]
 
 _TRACK_RATE = 100.0
 """Tracks have the first multiple of the clip's rate that is not below this [Hz]."""
@@ -36,6 +36,12 @@ class PlanarStep:
 
     z: float = 0.0
     """[m]"""
+
+    @classmethod
+    def of(cls, clip: Clip) -> PlanarStep:
+        """Return what one cycle of a cyclic clip adds."""
+        shift, yaw = cycle_displacement(clip)
+        return cls(yaw, float(shift[0]), float(shift[2]))
 
     def apply(self, positions: Positions, times: int = 1) -> Positions:
         """Return positions, shape (..., 3), moved `times` cycles on; back where negative."""
@@ -87,41 +93,26 @@ class FootTracks:
     """How fast the surface runs (x, z) [m/s]: a treadmill's; zero where the body itself goes."""
 
 
-def cycle_step(world_positions: Positions) -> PlanarStep:
-    """Return the planar step that best takes the first pose, shape (joints, 3), to the last."""
-    first, last = world_positions[0][:, [0, 2]], world_positions[-1][:, [0, 2]]
-    middle_first, middle_last = first.mean(axis=0), last.mean(axis=0)
-    a, b = first - middle_first, last - middle_last
-    yaw = math.atan2(float((a[:, 1] * b[:, 0] - a[:, 0] * b[:, 1]).sum()), float((a * b).sum()))
-    if abs(yaw) < 1e-12:
-        yaw = 0.0
-    turned = _turned(np.array([middle_first[0], 0.0, middle_first[1]]), yaw)
-    return PlanarStep(yaw, float(middle_last[0] - turned[0]), float(middle_last[1] - turned[2]))
-
-
-def foot_points(clip: Clip, anatomy: Anatomy) -> tuple[Positions, PlanarStep]:
-    """Return where heel and toe are, frame by frame, and what one cycle adds.
+def points_of_pose(rotations: Rotations, positions: Positions, anatomy: Anatomy) -> Positions:
+    """Return where heel and toe are, frame by frame.
 
     Args:
-        clip: The motion.
-        anatomy: Its skeleton's.
+        rotations: All joints in the world, shape (frames, joints, 4).
+        positions: All joints in the world [m], shape (frames, joints, 3).
+        anatomy: The skeleton's.
 
     Returns:
-        Positions [m], shape (frames, feet, points, 3), and the step of one cycle; no step where
-        the clip is not cyclic.
+        Positions [m], shape (frames, feet, points, 3).
     """
-    rotations, positions = clip.world_poses()
-    points = np.empty((clip.frames, 2, 2, 3))
+    points = np.empty((len(positions), 2, 2, 3))
     for foot, leg in enumerate(anatomy.legs):
         for index, point in enumerate((leg.heel, leg.toe)):
-            offset = np.array(point.offset)
-            points[:, foot, index] = positions[:, point.joint] + _rotated(
-                rotations[:, point.joint], offset
-            )
-    return points, cycle_step(positions) if clip.cyclic else PlanarStep()
+            offset = _rotated(rotations[:, point.joint], np.array(point.offset))
+            points[:, foot, index] = positions[:, point.joint] + offset
+    return points
 
 
-def _rotated(rotations: Floats, vector: Floats) -> Positions:
+def _rotated(rotations: Rotations, vector: Floats) -> Positions:
     axis = rotations[:, 1:]
     turn = 2.0 * np.cross(axis, vector)
     return vector + rotations[:, :1] * turn + np.cross(axis, turn)
@@ -129,7 +120,8 @@ def _rotated(rotations: Floats, vector: Floats) -> Positions:
 
 def foot_tracks(clip: Clip, anatomy: Anatomy) -> FootTracks:
     """Return the tracks of a clip's feet, relative to the surface they tread on."""
-    points, step = foot_points(clip, anatomy)
+    points = points_of_pose(*clip.world_poses(), anatomy)
+    step = PlanarStep.of(clip) if clip.cyclic else PlanarStep()
     dense, rate = _resampled(points, step, clip)
     smooth = _low_passed(dense, step, rate, cyclic=clip.cyclic)
     velocities = _velocities(smooth, step, rate, cyclic=clip.cyclic)
