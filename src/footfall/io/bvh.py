@@ -14,10 +14,21 @@ from footfall.io.raw_file import read_bytes
 from footfall.io.units import parse_unit
 from footfall.motion import Clip
 
-__all__ = ["load_bvh", "save_bvh"]
+__all__ = ["load_bvh", "read_bvh", "save_bvh"]
 
 
 def load_bvh(
+    path: Path | str,
+    *,
+    unit: str | float | None = None,
+    up: str | None = None,
+    fps: float | None = None,
+) -> Clip:
+    """Read a BVH file; arguments and errors are those of `read_bvh`."""
+    return read_bvh(path, unit=unit, up=up, fps=fps)[0]
+
+
+def read_bvh(
     path: Path | str,
     *,
     unit: str | float | None = None,

@@ -22,7 +22,7 @@ from footfall.io.root_layout import fold_root, rest_skeleton
 from footfall.io.units import UNITS, Unit, parse_unit, unit_of_leg
 from footfall.io.up_axis import conclude_up, turned_up
 from footfall.motion import Clip
-from footfall.skeleton import Anatomy, Skeleton, leg_length
+from footfall.skeleton import Anatomy, Skeleton, leg_length, world_poses
 
 __all__ = ["clip_from_rig"]
 
@@ -60,13 +60,11 @@ def clip_from_rig(
     rate = conclude_rate(rig.frame_time, fps)
     try:
         found = legs_or_reason(rest_skeleton(rig))
-        legs = None if isinstance(found, str) else found
-        if legs is None:
+        folded, root = fold_root(rig, None if isinstance(found, str) else found)
+        anatomy = legs_or_reason(rest_skeleton(folded))
+        if isinstance(anatomy, str):
             _ask_without_legs(known_unit, up, path)
-        folded, root = fold_root(rig, legs)
-        anatomy = legs_or_reason(rest_skeleton(folded)) if legs is not None else str(found)
-        legs = None if isinstance(anatomy, str) else anatomy
-        fixed, bones = fix_bones(folded, legs, path)
+        fixed, bones = fix_bones(folded, None if isinstance(anatomy, str) else anatomy, path)
         return _assembled(fixed, anatomy, path, known_unit, up, (rate, root, bones))
     except (SkeletonError, ClipError) as error:
         raise FileFormatError(str(error), path=path) from error
@@ -101,15 +99,13 @@ def _assembled(
     metres = unit_found.value.metres
     places = metres * rig.translations.get(0, np.zeros((rig.frames, 3)))
     body = Skeleton(raw.names, raw.parents, metres * raw.rest_offsets, metres * raw.tip_offsets)
-    if up is not None:
-        up_found = Conclusion(up, f"{up}, as asked for")
-    elif isinstance(anatomy, str):
-        raise FileFormatError("no two legs are found; pass up='y' or up='z'", path=path)
-    else:
+    if up is None:
+        assert not isinstance(anatomy, str)
         up_found = conclude_up(body, anatomy, places, rig.rotations, path)
+    else:
+        up_found = Conclusion(up, f"{up}, as asked for")
     skeleton, places, rotations = turned_up(body, places, rig.rotations, up_found.value)
-    clip = Clip(skeleton, places, rotations, rate.value, name=clip_name(path))
-    world_rotations, positions = clip.world_poses()
+    world_rotations, positions = world_poses(skeleton, places, rotations)
     # Foot points are lengths: found anew, in metres and with y up.
     anatomy = anatomy if isinstance(anatomy, str) else legs_or_reason(skeleton)
     conclusions = Conclusions(
@@ -124,8 +120,16 @@ def _assembled(
         floor=conclude_floor(anatomy, world_rotations, positions),
         cyclic=conclude_cyclic(positions),
     )
-    provenance = _provenance(path, conclusions, rig)
-    return clip.evolve(cyclic=conclusions.cyclic.value, provenance=provenance), conclusions
+    clip = Clip(
+        skeleton,
+        places,
+        rotations,
+        rate.value,
+        cyclic=conclusions.cyclic.value,
+        name=_clip_name(path),
+        provenance=_provenance(path, conclusions, rig),
+    )
+    return clip, conclusions
 
 
 def _conclude_unit(
@@ -185,7 +189,7 @@ def _provenance(path: Path, conclusions: Conclusions, rig: BvhRig) -> tuple[str,
     return tuple(lines)
 
 
-def clip_name(path: Path) -> str:
+def _clip_name(path: Path) -> str:
     """Return a file's name without its folder and its suffixes."""
     name = path.name
     for suffix in (".gz", ".bvh", ".npz"):

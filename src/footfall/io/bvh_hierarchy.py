@@ -128,7 +128,7 @@ class HierarchyReader:
                 self._read_offset(rest)
             case "CHANNELS":
                 self._read_channels(rest)
-            case "MOTION":
+            case "MOTION" if self._open:
                 self._fail(
                     f"MOTION comes while {len(self._open)} braces are still open; "
                     "each { needs its }"

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-import warnings
 from dataclasses import dataclass
 from decimal import Decimal, localcontext
 from pathlib import Path
@@ -13,6 +12,7 @@ import numpy as np
 from footfall.arrays import Floats
 from footfall.errors import FileFormatError
 from footfall.io.bvh_hierarchy import GREATEST, finite_number
+from footfall.io.number_table import parse_table
 
 __all__ = ["BvhMotion", "parse_motion"]
 
@@ -130,13 +130,9 @@ def _frame_time(lines: list[str], first: int, path: Path) -> tuple[Decimal, int]
 
 def _values(lines: list[str], rows: list[int], channels: int, path: Path) -> Floats:
     """Parse all rows at once; only where that fails, look for the line that is to blame."""
-    try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("error")
-            values = np.loadtxt((lines[row] for row in rows), comments=None, ndmin=2)
-    except (ValueError, UserWarning, OverflowError):
-        values = np.zeros((0, 0))
-    if values.shape == (len(rows), channels) and (np.abs(values) < GREATEST).all():
+    text = "\n".join(lines[rows[0] :]).encode("latin-1", errors="replace")
+    values = parse_table(text, len(rows), channels)
+    if values is not None and (np.abs(values) < GREATEST).all():
         return values
     for frame, row in enumerate(rows):
         words = lines[row].split()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from decimal import Decimal
 from pathlib import Path
@@ -9,8 +10,9 @@ from pathlib import Path
 import numpy as np
 
 from footfall.arrays import Floats, Indices, Positions, Rotations
+from footfall.compilation import kernel
 from footfall.errors import FileFormatError
-from footfall.geometry import from_euler
+from footfall.geometry import quaternions
 from footfall.io.bvh_hierarchy import BvhJoint, HierarchyReader
 from footfall.io.bvh_motion import BvhMotion, parse_motion
 from footfall.io.raw_file import decoded
@@ -82,27 +84,23 @@ def parse_bvh(data: bytes, path: Path) -> BvhRig:
 
 def _assembled(joints: list[BvhJoint], motion: BvhMotion) -> BvhRig:
     offsets = np.array([joint.offset for joint in joints], dtype=np.float64)
-    rotations = np.zeros((len(motion.values), len(joints), 4))
-    rotations[..., 0] = 1.0
+    rotations = np.empty((len(motion.values), len(joints), 4))
     translations: dict[int, Positions] = {}
-    turning: dict[str, list[tuple[int, list[int]]]] = {}
+    turning: list[tuple[int, int, int]] = []
     column = 0
     for index, joint in enumerate(joints):
-        order, columns = "", list[int]()
         for channel in joint.channels or ():
+            axis = "XYZ".index(channel[0])
             if channel.endswith("rotation"):
-                order += channel[0]
-                columns.append(column)
+                turning.append((index, axis, column))
             else:
                 place = translations.setdefault(
                     index, np.tile(offsets[index], (len(motion.values), 1))
                 )
-                place[:, "XYZ".index(channel[0])] = motion.values[:, column]
+                place[:, axis] = motion.values[:, column]
             column += 1
-        if order:
-            turning.setdefault(order, []).append((index, columns))
-    for order, members in turning.items():
-        _turn(rotations, motion.values, order, members)
+    turns = np.array(turning, dtype=np.int64).reshape(-1, 3)
+    turn_joints(motion.values, turns, rotations)
     return BvhRig(
         tuple(joint.name for joint in joints),
         np.array([joint.parent for joint in joints], dtype=np.int64),
@@ -115,9 +113,34 @@ def _assembled(joints: list[BvhJoint], motion: BvhMotion) -> BvhRig:
     )
 
 
-def _turn(
-    rotations: Rotations, values: Floats, order: str, members: list[tuple[int, list[int]]]
-) -> None:
-    """Write the rotations of the joints that share an order of channels."""
-    for index, columns in members:
-        rotations[:, index] = from_euler(order, np.radians(values[:, columns]))
+@kernel
+def turn_joints(values: Floats, turns: Indices, rotations: Rotations) -> None:
+    """Turn the joints as their rotation channels say, the first channel last.
+
+    Args:
+        values: The frames, shape (frames, channels); angles in degrees.
+        turns: Joint, axis (0 to 2) and column of each rotation channel, in the order of the
+            file, shape (rotation channels, 3).
+        rotations: Written: the joints relative to their parents, shape (frames, joints, 4).
+    """
+    rotations[:] = 0.0
+    rotations[:, :, 0] = 1.0
+    for frame in range(values.shape[0]):
+        for joint, axis, column in turns:
+            half = 0.5 * math.radians(values[frame, column])
+            w, x, y, z = rotations[frame, joint]
+            sine = math.sin(half)
+            w, x, y, z = quaternions.product(
+                w,
+                x,
+                y,
+                z,
+                math.cos(half),
+                sine if axis == 0 else 0.0,
+                sine if axis == 1 else 0.0,
+                sine if axis == 2 else 0.0,
+            )
+            rotations[frame, joint, 0] = w
+            rotations[frame, joint, 1] = x
+            rotations[frame, joint, 2] = y
+            rotations[frame, joint, 3] = z

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import io
 from pathlib import Path
 
 import numpy as np
@@ -44,10 +43,10 @@ def bvh_text(clip: Clip, unit: Unit, path: Path) -> str:
     joints = clip.skeleton.count
     degrees = np.degrees(to_euler(ORDER, clip.local_rotations)).reshape(clip.frames, 3 * joints)
     table = np.concatenate([clip.pelvis_positions * scale, degrees], axis=1)
-    values = io.StringIO()
-    np.savetxt(values, table, fmt=["%.12g"] * 3 + ["%.10f"] * (3 * joints))
+    row = " ".join(["%.12g"] * 3 + ["%.10f"] * (3 * joints))
+    values = "\n".join(row % tuple(frame) for frame in table.tolist())
     header = f"MOTION\nFrames: {clip.frames}\nFrame Time: {frame_time_text(clip.fps)}\n"
-    return f"HIERARCHY\n{_hierarchy(clip, scale)}{header}{values.getvalue()}"
+    return f"HIERARCHY\n{_hierarchy(clip, scale)}{header}{values}\n"
 
 
 def _hierarchy(clip: Clip, scale: float) -> str:

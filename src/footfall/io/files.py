@@ -10,7 +10,7 @@ from pathlib import Path
 
 from footfall.errors import ArgumentError, FileFormatError
 from footfall.io.annotation import read_annotation, write_annotation
-from footfall.io.bvh import load_bvh, save_bvh
+from footfall.io.bvh import read_bvh, save_bvh
 from footfall.io.conclusions import Conclusions
 from footfall.io.gltf import save_gltf
 from footfall.io.native import load_native, load_native_supports, save_native
@@ -33,7 +33,7 @@ Writer = Callable[[Clip, Path], None]
 def _read_bvh(
     path: Path, unit: str | float | None, up: str | None, fps: float | None
 ) -> tuple[Clip, Conclusions]:
-    return load_bvh(path, unit=unit, up=up, fps=fps)
+    return read_bvh(path, unit=unit, up=up, fps=fps)
 
 
 def _read_native(

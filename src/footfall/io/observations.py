@@ -149,4 +149,5 @@ def _gap(one: Positions, other: Positions) -> float:
 
 def _root_mean_square(differences: Positions) -> Floats:
     """Return the root mean square length over the joints, shape (..., joints, 3) to (...)."""
-    return np.sqrt((differences**2).sum(axis=-1).mean(axis=-1))
+    squares = np.einsum("...jc,...jc->...", differences, differences)
+    return np.sqrt(squares / differences.shape[-2])

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -72,7 +73,7 @@ def _stance(
     upper = hips if top is None else positions[:, top]
     lines = upper - ankles
     lengths = np.linalg.norm(lines, axis=-1, keepdims=True)
-    median: Positions = np.median(lines / np.maximum(lengths, 1e-300), axis=0)
+    median: Any = np.median(lines / np.maximum(lengths, 1e-300), axis=0)
     return median
 
 
