@@ -14,6 +14,9 @@ from footfall.skeleton.two_bone_ik import reach_point
 
 __all__ = ["place_feet"]
 
+IN_PLACE = 1e-6
+"""Distance below which an ankle is where it should be [m]."""
+
 
 @kernel
 def _reach(
@@ -50,7 +53,7 @@ def place_feet(
     """Return local rotations with which the ankles are at their targets.
 
     Where a target is out of reach the leg approaches it softly. What hangs on the ankle moves
-    with it.
+    with it. A leg whose ankle is in place in all frames is left as it is, however straight.
 
     Args:
         skeleton: The body.
@@ -87,6 +90,10 @@ def _place_foot(
     foot_rotations: Rotations,
     placed: Rotations,
 ) -> None:
+    if np.abs(ankles - positions[:, leg.ankle]).max() < IN_PLACE:
+        above = rotations[:, skeleton.parents[leg.ankle]]
+        placed[:, leg.ankle] = multiply(conjugate(above), foot_rotations)
+        return
     upper_turns, lower_turns = np.empty(foot_rotations.shape), np.empty(foot_rotations.shape)
     _reach(
         np.ascontiguousarray(positions[:, leg.hip]),
