@@ -33,7 +33,7 @@ JOINTS: tuple[tuple[str, str, tuple[float, float, float]], ...] = (
     ("RightHand", "RightForeArm", (-0.25, 0.0, 0.0)),
 )
 PERIOD = 1.1
-STRIDE = 1.3
+STRIDE = 0.9
 ANKLE_HEIGHT = 0.08
 
 
@@ -72,7 +72,7 @@ def walk(frames: int = 67, fps: float = 60.0, sliding: float = 0.0) -> Clip:
     pelvis = np.stack(
         [
             0.02 * np.sin(2 * np.pi * phase),
-            0.9 + 0.015 * np.cos(4 * np.pi * phase),
+            0.88 + 0.015 * np.cos(4 * np.pi * phase),
             STRIDE * phase,
         ],
         axis=-1,

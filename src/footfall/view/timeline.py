@@ -1,0 +1,271 @@
+"""The schedule as lanes: what played when, in which support, with how much weight."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from footfall.arrays import Floats
+from footfall.errors import ArgumentError
+from footfall.view.palette import SUPPORT_COLORS, SUPPORT_NAMES, readable_symbol
+from footfall.view.svg import Picture, points_text
+
+__all__ = ["ActionLane", "CueMark", "LanePhase", "Timeline", "timeline_svg"]
+
+WIDTH = 1200.0
+LEFT, RIGHT = 132.0, 24.0
+TOP = 58.0
+LANE = 46.0
+GAP = 16.0
+BAR = 34.0
+
+_ON_COLOR = "#10151a"
+"""Letters on the colors of supports."""
+
+HELD = 1.2
+"""A phase that takes this many times its own seconds or more is drawn as held."""
+
+
+@dataclass(frozen=True, slots=True)
+class LanePhase:
+    """A support phase as it was played."""
+
+    symbol: str
+    """One of ``R L D -``."""
+
+    start: float
+    """Clock time at which it began [s]."""
+
+    end: float
+    """Clock time at which it ended [s]."""
+
+    stretch: float = 1.0
+    """Clock seconds over clip seconds: above one it was held."""
+
+
+@dataclass(frozen=True, slots=True)
+class CueMark:
+    """A command to start or stop an action, and when that came about."""
+
+    kind: str
+    """``"start"`` or ``"stop"``."""
+
+    commanded: float
+    """Clock time of the command [s]."""
+
+    actual: float | None = None
+    """Clock time at which it was followed [s]; None if never."""
+
+
+@dataclass(frozen=True, eq=False)
+class ActionLane:
+    """What one action played."""
+
+    name: str
+    phases: tuple[LanePhase, ...]
+    """In order of time."""
+    weights: Floats
+    """Its share in each frame, 0 to 1, shape (frames,)."""
+    cues: tuple[CueMark, ...] = ()
+
+
+@dataclass(frozen=True, eq=False)
+class Timeline:
+    """A schedule in clock time.
+
+    Raises:
+        ArgumentError: If a lane's weights are not one a frame, or a symbol is unknown.
+    """
+
+    fps: float
+    """Frames per second of weights and supports."""
+
+    supports: str
+    """What the result stands on: one of ``R L D -`` a frame."""
+
+    lanes: tuple[ActionLane, ...]
+    """The action of the highest priority first."""
+
+    def __post_init__(self) -> None:
+        unknown = set(self.supports) - set(SUPPORT_COLORS)
+        for lane in self.lanes:
+            unknown |= {phase.symbol for phase in lane.phases} - set(SUPPORT_COLORS)
+            if lane.weights.shape != (len(self.supports),):
+                raise ArgumentError(
+                    f"the weights of {lane.name!r} have shape {lane.weights.shape}; "
+                    f"{len(self.supports)} frames need ({len(self.supports)},)"
+                )
+        if unknown:
+            raise ArgumentError(f"no support is written {sorted(unknown)}; there are R, L, D and -")
+
+    @property
+    def duration(self) -> float:
+        """How long it is [s]."""
+        return len(self.supports) / self.fps
+
+
+def timeline_svg(timeline: Timeline) -> str:
+    """Draw the schedule: a lane an action, the result below, in seconds.
+
+    A bar is as high as its action's weight; hatching marks phases that were made to wait.
+    """
+    height = TOP + (len(timeline.lanes) + 1) * (LANE + GAP) + 34.0
+    picture = Picture("timeline", "What played when, and on which foot", WIDTH, height)
+    picture.words(20, 28, "Schedule", size=17, font_weight="600")
+    _hatching(picture)
+    _legend(picture)
+    _axis(picture, timeline, height)
+    for row, lane in enumerate(timeline.lanes):
+        _draw_lane(picture, timeline, lane, TOP + row * (LANE + GAP))
+    _draw_result(picture, timeline, TOP + len(timeline.lanes) * (LANE + GAP))
+    return picture.to_svg(
+        duration=f"{timeline.duration:.4f}", left=LEFT, right=WIDTH - RIGHT, width=WIDTH
+    )
+
+
+def _hatching(picture: Picture) -> None:
+    picture.open(
+        "pattern",
+        id="timeline-held",
+        width=6,
+        height=6,
+        patternUnits="userSpaceOnUse",
+        patternTransform="rotate(45)",
+    )
+    picture.line(0, 0, 0, 6, stroke=_ON_COLOR, stroke_width=2.4, stroke_opacity=0.5)
+    picture.close("pattern")
+
+
+def _legend(picture: Picture) -> None:
+    x = LEFT + 40.0
+    for symbol, name in SUPPORT_NAMES.items():
+        picture.rectangle(x, 16, 18, 14, rx=3, fill=SUPPORT_COLORS[symbol])
+        _letter(picture, x + 9, 27, symbol, 11)
+        picture.words(x + 25, 27.5, name, class_="soft")
+        x += 100.0
+    picture.rectangle(x, 16, 18, 14, rx=3, fill=SUPPORT_COLORS["-"])
+    picture.rectangle(x, 16, 18, 14, rx=3, fill="url(#timeline-held)")
+    picture.words(x + 25, 27.5, "held: made to wait", class_="soft")
+    _mark(picture, "start", x + 168, 23)
+    picture.words(x + 180, 27.5, "start", class_="soft")
+    _mark(picture, "stop", x + 230, 23)
+    picture.words(x + 242, 27.5, "stop, and the delay until it comes about", class_="soft")
+
+
+def _at(timeline: Timeline, seconds: float) -> float:
+    """Return the x of a clock time."""
+    share = min(max(seconds / timeline.duration, 0.0), 1.0)
+    return LEFT + share * (WIDTH - LEFT - RIGHT)
+
+
+def _axis(picture: Picture, timeline: Timeline, height: float) -> None:
+    step = next((s for s in (0.1, 0.25, 0.5, 1.0, 2.0, 5.0) if timeline.duration / s <= 16), 10.0)
+    bottom = height - 28.0
+    for tick in range(int(timeline.duration / step + 1e-6) + 1):
+        x = _at(timeline, tick * step)
+        picture.line(x, TOP - 14, x, bottom, class_="rule", stroke_width=1)
+        label = f"{tick * step:g}" + (" s" if tick == 0 else "")
+        picture.words(x, bottom + 17, label, text_anchor="middle", class_="soft")
+
+
+def _draw_lane(picture: Picture, timeline: Timeline, lane: ActionLane, top: float) -> None:
+    base = top + LANE
+    picture.words(20, base - 13, lane.name, size=14, font_weight="600")
+    picture.line(LEFT, base, WIDTH - RIGHT, base, class_="rule", stroke_width=1)
+    for phase in lane.phases:
+        left, right = _at(timeline, phase.start), _at(timeline, phase.end)
+        if right - left < 0.05:
+            continue
+        outline = points_text(_weight_outline(timeline, lane, phase, base))
+        picture.rectangle(
+            left, base - BAR, right - left, BAR, fill=SUPPORT_COLORS[phase.symbol], opacity=0.16
+        )
+        picture.add("polygon", points=outline, fill=SUPPORT_COLORS[phase.symbol])
+        if phase.stretch >= HELD:
+            picture.add("polygon", points=outline, fill="url(#timeline-held)")
+        picture.line(left, base, left, base - BAR, class_="softpen", stroke_width=0.6)
+        if right - left >= 15:
+            middle = 0.5 * (phase.start + phase.end) * timeline.fps
+            weight = float(np.interp(middle, np.arange(len(lane.weights)), lane.weights))
+            fill = _ON_COLOR if weight > 0.4 else None
+            _letter(picture, (left + right) / 2, base - 5, phase.symbol, 12, fill)
+    for cue in lane.cues:
+        _draw_cue(picture, timeline, cue, base - BAR - 7)
+
+
+def _weight_outline(
+    timeline: Timeline, lane: ActionLane, phase: LanePhase, base: float
+) -> list[tuple[float, float]]:
+    """Return the outline of a phase whose height follows the weight."""
+    frames = np.arange(len(timeline.supports)) / timeline.fps
+    inside = frames[(frames > phase.start) & (frames < phase.end)]
+    times = np.concatenate([[phase.start], inside, [phase.end]])
+    heights = BAR * np.interp(times, frames, lane.weights)
+    straight = np.abs(heights[:-2] - 2.0 * heights[1:-1] + heights[2:]) < 1e-3
+    kept = np.concatenate([[True], ~straight, [True]])
+    top = [
+        (_at(timeline, time), base - height)
+        for time, height in zip(times[kept].tolist(), heights[kept].tolist(), strict=True)
+    ]
+    return [(top[0][0], base), *top, (top[-1][0], base)]
+
+
+def _letter(
+    picture: Picture, x: float, y: float, symbol: str, size: float, fill: str | None = _ON_COLOR
+) -> None:
+    picture.words(
+        x,
+        y,
+        readable_symbol(symbol),
+        size=size,
+        text_anchor="middle",
+        font_weight="600",
+        fill=fill,
+        class_=None if fill else "ink",
+    )
+
+
+def _mark(picture: Picture, kind: str, x: float, y: float) -> None:
+    if kind == "start":
+        picture.area([(x - 4, y - 5), (x - 4, y + 5), (x + 5, y)], class_="ink")
+    else:
+        picture.rectangle(x - 4, y - 4, 8, 8, class_="ink")
+
+
+def _draw_cue(picture: Picture, timeline: Timeline, cue: CueMark, y: float) -> None:
+    """Mark a command, with an arrow to when it came about if that was later."""
+    x = _at(timeline, cue.commanded)
+    _mark(picture, cue.kind, x, y)
+    if cue.actual is None:
+        picture.words(x + 9, y + 4, "never", size=11, class_="soft")
+        return
+    delay = cue.actual - cue.commanded
+    if delay < 0.5 / timeline.fps + 1e-9:
+        return
+    end = max(_at(timeline, cue.actual), x + 12.0)
+    picture.line(x + 6, y, end - 4, y, class_="softpen", stroke_width=1.4)
+    picture.area([(end - 5, y - 3.5), (end - 5, y + 3.5), (end, y)], class_="soft")
+    picture.words(end + 4, y + 4, f"+{delay:.2f} s", size=11, class_="soft")
+
+
+def _draw_result(picture: Picture, timeline: Timeline, top: float) -> None:
+    base = top + LANE
+    picture.words(20, base - 13, "result", size=14, font_weight="600")
+    for symbol, first, last in runs(timeline.supports):
+        left, right = (_at(timeline, frame / timeline.fps) for frame in (first, last))
+        picture.rectangle(left, base - BAR, right - left, BAR, fill=SUPPORT_COLORS[symbol])
+        if right - left >= 15:
+            _letter(picture, (left + right) / 2, base - BAR / 2 + 5, symbol, 13)
+
+
+def runs(labels: Sequence[str]) -> list[tuple[str, int, int]]:
+    """Return each maximal run of equal labels: the label, its first frame, the one after."""
+    found: list[tuple[str, int, int]] = []
+    for frame, label in enumerate(labels):
+        if found and found[-1][0] == label:
+            found[-1] = (label, found[-1][1], frame + 1)
+        else:
+            found.append((label, frame, frame + 1))
+    return found
