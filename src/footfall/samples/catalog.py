@@ -6,18 +6,26 @@ from functools import lru_cache
 
 from footfall.errors import ArgumentError, UnknownNameError
 from footfall.motion import Clip
-from footfall.samples.gait import perform
-from footfall.samples.locomotion import GAITS
+from footfall.samples.cycle import perform
+from footfall.samples.flights import shot, walk_to_hop
+from footfall.samples.gestures import jump, kick, punch
+from footfall.samples.locomotion import OTHER_GAITS
+from footfall.samples.score import play
+from footfall.samples.walks import WALKS
 from footfall.support import SupportSequence
 
 __all__ = ["sample", "sample_names"]
 
 _LOWEST_RATE = 10.0
 
+_GAITS = {**WALKS, **OTHER_GAITS}
+
+_SCORES = {"kick": kick, "punch": punch, "jump": jump, "shot": shot, "walk-to-hop": walk_to_hop}
+
 
 def sample_names() -> tuple[str, ...]:
     """Return the names of all samples."""
-    return tuple(GAITS)
+    return (*_GAITS, *_SCORES)
 
 
 def sample(name: str, *, fps: float = 60.0) -> tuple[Clip, SupportSequence]:
@@ -43,4 +51,6 @@ def sample(name: str, *, fps: float = 60.0) -> tuple[Clip, SupportSequence]:
 
 @lru_cache(maxsize=64)
 def _made(name: str, fps: float) -> tuple[Clip, SupportSequence]:
-    return perform(GAITS[name], name, fps)
+    if name in _GAITS:
+        return perform(_GAITS[name], name, fps)
+    return play(_SCORES[name](), name, fps)

@@ -20,7 +20,7 @@ import numpy as np
 from footfall.arrays import Floats, Positions, Rotations, Seconds
 from footfall.geometry import from_euler, rotate
 from footfall.samples.body import BALL_HEIGHT, HEEL_FROM_ANKLE, TOE_FROM_ANKLE
-from footfall.samples.curves import quintic, waypoints
+from footfall.samples.curves import keyed, quintic, waypoints
 
 __all__ = ["FootPath", "Stance", "Swing", "foot_path", "foot_rotations"]
 
@@ -58,6 +58,9 @@ class Stance:
 
     rise: float = 0.2
     """How long before leaving it begins to roll off [s]."""
+
+    lifts: tuple[tuple[float, float], ...] = ()
+    """(time [s], pitch [rad]) keys of a heel that rises and comes down again while it stands."""
 
     landing: float = 0.5
     """Speed of rolling at the strike, as a share of the mean speed until flat."""
@@ -117,8 +120,9 @@ def foot_path(times: Seconds, stances: Sequence[Stance], swings: Sequence[Swing]
         path.balls[inside], path.angles[inside] = _standing(times[inside], stance)
     for index, (one, other) in enumerate(pairwise(stances)):
         inside = (times > one.leave) & (times < other.strike)
-        swing = swings[index % len(swings)]
-        path.balls[inside], path.angles[inside] = _swinging(times[inside], one, other, swing)
+        if inside.any():
+            swing = swings[index % len(swings)]
+            path.balls[inside], path.angles[inside] = _swinging(times[inside], one, other, swing)
     return path
 
 
@@ -154,7 +158,11 @@ def _pitch(times: Seconds, stance: Stance) -> Floats:
         times, [(stance.strike, touch, rate, 0.0), (stance.strike + stance.flat, 0.0, 0.0, 0.0)]
     )
     off = np.clip((times - stance.leave + stance.rise) / stance.rise, 0.0, None)
-    return down + stance.leave_pitch * off**3
+    pitch = down + stance.leave_pitch * off**3
+    if stance.lifts:
+        nodes, lifted = zip(*stance.lifts, strict=True)
+        pitch = pitch + keyed(times, nodes, np.array(lifted))
+    return pitch
 
 
 def _standing(times: Seconds, stance: Stance) -> tuple[Positions, Floats]:

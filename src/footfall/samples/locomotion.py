@@ -1,88 +1,20 @@
-"""The parameters of the cyclic samples, with their sources.
+"""The parameters of the cyclic samples that are no walks.
 
-[W] D. A. Winter, *Biomechanics and Motor Control of Human Movement* (joint angles, toe
-clearance, foot trajectories); [P] J. Perry and J. Burnfield, *Gait Analysis* (phases of the
-cycle, rockers); [M] M. P. Murray, A. B. Drought, R. C. Kory, "Walking patterns of normal men",
-J. Bone Joint Surg. 46-A, 1964 (step length and width, toe-out, pelvic and thoracic rotation, arm
-swing); [K] C. Kirtley, *Clinical Gait Analysis* (slow and fast walking); [N] T. F. Novacheck,
-"The biomechanics of running", Gait and Posture 7, 1998 (phases, joint angles of running); [T]
-A. Thorstensson, "How is the normal locomotor program modified to produce backward walking?",
-Exp. Brain Res. 61, 1986 (nearly forward walking in reverse).
+The run: T. F. Novacheck, "The biomechanics of running", Gait and Posture 7, 1998 (phases of the
+cycle, joint angles).
 """
 
 from __future__ import annotations
 
-from footfall.samples.gait import Gait, Harmonic, LegCycle, Pelvis, UpperBody
+from footfall.samples.gait import FreeLeg, Gait, Harmonic, LegCycle, Pelvis, UpperBody
 
-__all__ = ["GAITS"]
+__all__ = ["OTHER_GAITS"]
 
 _STILL = Harmonic()
 
 
-def _walk(
-    duration: float,
-    stride: float,
-    duty: float,
-    *,
-    strike_pitch: float,
-    leave_pitch: float,
-    bounce: float,
-    turn: float,
-    arm: float,
-    elbow: float,
-    reach: float,
-    lean: float,
-    backward: bool = False,
-) -> Gait:
-    """Return a walk; phase 0 is the left heel strike, the first frame the left toe-off."""
-
-    def leg(strike: float, side: float) -> LegCycle:
-        # Toe clearance: two peaks with about 15 mm between them [W, figure 3.10 and text].
-        return LegCycle(
-            strike,
-            duty,
-            (side * 0.055, reach),
-            clearance=((0.2, 0.045), (0.5, 0.02), (0.8, 0.045)),
-            pitch=(
-                (0.2, 1.08 * leave_pitch),
-                (0.5, -0.3 * -leave_pitch),
-                (0.78, 0.75 * strike_pitch),
-            ),
-            progress=((0.86, 0.925),),
-            strike_pitch=strike_pitch,
-            leave_pitch=leave_pitch,
-            flat=0.16,
-            rise=0.52,
-        )
-
-    both = duty - 0.5
-    pelvis = Pelvis(
-        # Lowest in the middle of double support, highest at midstance [P, chapter 2].
-        height=Harmonic(bounce, 0.25 + 0.5 * both, harmonic=2),
-        sway=Harmonic(0.022, 0.5 * duty),
-        surge=Harmonic(0.010, 0.5 * both + 0.125, harmonic=2),
-        heading=Harmonic(-turn, 0.0),
-        lean=Harmonic(0.8, 0.06, 3.0, harmonic=2),
-        tilt=Harmonic(4.0, 0.14),
-    )
-    upper = UpperBody(
-        chest=(Harmonic(turn + 1.0, 0.02), Harmonic(0.8, 0.1, lean, 2), Harmonic(-1.5, 0.16)),
-        head=(_STILL, Harmonic(0.6, 0.1, 2.0, 2), _STILL),
-        left_arm=(
-            Harmonic(mean=4.0),
-            Harmonic(-arm, 0.0, 3.0),
-            Harmonic(mean=9.0),
-            Harmonic(mean=-15.0),
-            Harmonic(-elbow, 0.03, 18.0 + elbow),
-        ),
-    )
-    return Gait(
-        duration, (0.0, stride), leg(0.0, 1.0), leg(0.5, -1.0), pelvis, upper, duty, backward
-    )
-
-
 def _run() -> Gait:
-    """Return a run at 3.3 m/s: stance 36 % of the cycle, two flights [N, section 2]."""
+    """Return a run at 3.3 m/s: stance 36 % of the cycle, two flights (Novacheck, section 2)."""
     duration, stride, duty = 0.7, 2.31, 0.36
 
     def leg(strike: float, side: float) -> LegCycle:
@@ -120,47 +52,127 @@ def _run() -> Gait:
     return Gait(duration, (0.0, stride), leg(0.0, 1.0), leg(0.5, -1.0), pelvis, upper, 0.5)
 
 
-GAITS: dict[str, Gait] = {
-    # 112 steps a minute, 1.31 m/s; toe-off at 62 % of the cycle [P, M].
-    "walk": _walk(
-        16 / 15,
-        1.40,
-        0.62,
-        strike_pitch=20.0,
-        leave_pitch=-58.0,
-        bounce=0.023,
-        turn=4.5,
-        arm=21.0,
-        elbow=11.0,
-        reach=0.43,
-        lean=2.5,
-    ),
-    # Slower walks have shorter steps and longer double supports [K].
-    "walk-slow": _walk(
-        1.4,
-        1.05,
-        0.66,
-        strike_pitch=15.0,
-        leave_pitch=-50.0,
-        bounce=0.012,
-        turn=3.0,
-        arm=13.0,
-        elbow=6.0,
-        reach=0.345,
-        lean=2.0,
-    ),
-    "walk-fast": _walk(
-        0.9,
-        1.66,
-        0.58,
-        strike_pitch=25.0,
-        leave_pitch=-62.0,
-        bounce=0.030,
-        turn=7.0,
-        arm=29.0,
-        elbow=18.0,
-        reach=0.49,
-        lean=4.0,
-    ),
+def _hop(side: float) -> Gait:
+    """Return a hop in place of a run, on the left (side 1) or the right leg (-1), at 1 m/s."""
+    duration, travel, duty = 0.5, 0.5, 0.56
+    stepping = LegCycle(
+        0.0,
+        duty,
+        (side * 0.035, 0.25),
+        clearance=((0.3, 0.06), (0.6, 0.07)),
+        pitch=((0.3, -50.0), (0.65, -15.0)),
+        strike_pitch=-16.0,
+        leave_pitch=-52.0,
+        flat=0.3,
+        rise=0.45,
+        toe_out=5.0,
+    )
+    free = FreeLeg(
+        height=Harmonic(0.04, 0.6, -0.58),
+        forward=Harmonic(0.09, 0.55, -0.22),
+        pitch=Harmonic(6.0, 0.55, -62.0),
+    )
+    pelvis = Pelvis(
+        height=_STILL,
+        heading=Harmonic(side * 3.0, 0.1, side * -2.0),
+        lean=Harmonic(2.0, 0.2, 6.0),
+        tilt=Harmonic(side * 3.0, 0.15, side * -1.0),
+    )
+    arm = (
+        Harmonic(mean=8.0),
+        Harmonic(16.0, 0.6, 4.0),
+        Harmonic(5.0, 0.6, 24.0),
+        Harmonic(mean=-10.0),
+        Harmonic(10.0, 0.65, 68.0),
+    )
+    upper = UpperBody(
+        chest=(
+            Harmonic(side * 4.0, 0.6),
+            Harmonic(3.0, 0.25, 7.0),
+            Harmonic(mean=side * -4.0),
+        ),
+        head=(_STILL, Harmonic(1.0, 0.25, 3.0), _STILL),
+        left_arm=arm,
+        right_arm=arm,
+    )
+    left, right = (stepping, free) if side > 0.0 else (free, stepping)
+    return Gait(duration, (0.0, travel), left, right, pelvis, upper)
+
+
+def _side_step() -> Gait:
+    """Return steps to the left: the left foot opens, the right one closes."""
+
+    def leg(strike: float, across: float, toe_out: float) -> LegCycle:
+        return LegCycle(
+            strike,
+            0.7,
+            (across, 0.11),
+            clearance=((0.25, 0.05), (0.6, 0.055)),
+            pitch=((0.3, -16.0), (0.7, 2.0)),
+            strike_pitch=-6.0,
+            leave_pitch=-20.0,
+            flat=0.12,
+            rise=0.25,
+            toe_out=toe_out,
+        )
+
+    pelvis = Pelvis(
+        height=Harmonic(0.008, 0.35, harmonic=2),
+        sway=Harmonic(0.11, 0.36),
+        surge=Harmonic(0.008, 0.1, harmonic=2),
+        heading=Harmonic(2.0, 0.1),
+        lean=Harmonic(1.0, 0.1, 5.0, 2),
+        tilt=Harmonic(2.5, 0.4),
+    )
+    arm = (
+        Harmonic(mean=6.0),
+        Harmonic(-4.0, 0.1, 8.0),
+        Harmonic(6.0, 0.1, 17.0),
+        Harmonic(mean=-12.0),
+        Harmonic(6.0, 0.1, 35.0),
+    )
+    upper = UpperBody(
+        chest=(Harmonic(-2.0, 0.1), Harmonic(1.0, 0.15, 6.0, 2), Harmonic(-2.0, 0.38)),
+        head=(_STILL, Harmonic(0.6, 0.2, 3.0, 2), _STILL),
+        left_arm=arm,
+        right_arm=arm,
+    )
+    return Gait(1.2, (0.45, 0.0), leg(0.0, 0.3275, 6.0), leg(0.5, -0.0975, 6.0), pelvis, upper, 0.7)
+
+
+def _idle() -> Gait:
+    """Return quiet standing: slow sway over still feet, one breath in two seconds' rhythm."""
+
+    def leg(side: float, ahead: float) -> LegCycle:
+        return LegCycle(0.0, 1.0, (side * 0.11, ahead), clearance=((0.5, 0.0),), toe_out=9.0)
+
+    pelvis = Pelvis(
+        height=Harmonic(0.002, 0.3, harmonic=2),
+        sway=Harmonic(0.016, 0.25),
+        surge=Harmonic(0.006, 0.4),
+        heading=Harmonic(1.2, 0.35),
+        lean=Harmonic(0.5, 0.4, 1.0),
+        tilt=Harmonic(-1.2, 0.25),
+    )
+    arm = (
+        Harmonic(mean=5.0),
+        Harmonic(1.5, 0.45, 4.0),
+        Harmonic(0.8, 0.2, 9.0, 2),
+        Harmonic(mean=-15.0),
+        Harmonic(2.0, 0.5, 17.0),
+    )
+    upper = UpperBody(
+        chest=(Harmonic(1.5, 0.6), Harmonic(-1.1, 0.2, 2.0, 2), Harmonic(1.2, 0.25)),
+        head=(Harmonic(5.0, 0.8), Harmonic(1.2, 0.55, 2.0), Harmonic(0.8, 0.3)),
+        left_arm=arm,
+    )
+    return Gait(4.0, (0.0, 0.0), leg(1.0, 0.13), leg(-1.0, 0.09), pelvis, upper)
+
+
+OTHER_GAITS: dict[str, Gait] = {
     "run": _run(),
+    "hop-right": _hop(-1.0),
+    "hop-left": _hop(1.0),
+    "side-step": _side_step(),
+    "idle": _idle(),
 }
