@@ -1,1 +1,5 @@
 """One pose, this body, this ground."""
+
+from footfall.adaptation.ground import Plane
+
+__all__ = ["Plane"]

@@ -12,7 +12,7 @@ weighted sum of them. Lengths are shares of the leg's length.
 | 3 × 2 | position of each ankle relative to the root ÷ leg length |
 
 The rotations of thigh and shank are kept beside the position of the ankle: they say which way
-the knee looks and how the leg is twisted, also where it is straight, and `realize` turns them by
+the knee looks and how the leg is twisted, also where it is straight, and `reach_ankle` turns them by
 as little as it takes to reach the ankle. One clip alone thus comes back as it was.
 """
 
@@ -30,7 +30,7 @@ from footfall.skeleton.kinematics import pose_forward, world_poses
 from footfall.skeleton.skeleton import Skeleton
 from footfall.skeleton.two_bone_ik import reach_point
 
-__all__ = ["Rig", "channel_count", "normalize", "realize", "rig_of"]
+__all__ = ["Rig", "channel_count", "normalize", "place_chain", "reach_ankle", "rig_of"]
 
 EFFECTORS = 7
 """Numbers that are lengths: the pelvis' height and two ankle positions."""
@@ -163,32 +163,6 @@ def normalize(
 
 
 @kernel
-def realize(
-    rig: Rig,
-    local_rotations: Rotations,
-    foot_rotations: Rotations,
-    pelvis_height: float,
-    ankles: Positions,
-    rotations: Rotations,
-    positions: Positions,
-) -> None:
-    """Give a blended pose this body's lengths: place every joint relative to the root.
-
-    Args:
-        rig: The body.
-        local_rotations: As blended, joint 0 relative to the root, shape (joints, 4).
-        foot_rotations: As blended, relative to the root, shape (2, 4).
-        pelvis_height: Over the ground [m].
-        ankles: Where the ankles should be, relative to the root [m], shape (2, 3).
-        rotations: Written: joints relative to the root, shape (joints, 4).
-        positions: Written: joints relative to the root [m], shape (joints, 3).
-    """
-    place_chain(rig, local_rotations, pelvis_height, rotations, positions)
-    for side in range(2):
-        _reach_ankle(rig, side, local_rotations, foot_rotations, ankles, rotations, positions)
-
-
-@kernel
 def place_chain(
     rig: Rig,
     local_rotations: Rotations,
@@ -196,7 +170,15 @@ def place_chain(
     rotations: Rotations,
     positions: Positions,
 ) -> None:
-    """Place every joint by its rotation alone; arguments as in `realize`."""
+    """Place every joint by its rotation alone.
+
+    Args:
+        rig: The body.
+        local_rotations: As blended, joint 0 relative to the root, shape (joints, 4).
+        pelvis_height: Over the ground [m].
+        rotations: Written: joints relative to the root, shape (joints, 4).
+        positions: Written: joints relative to the root [m], shape (joints, 3).
+    """
     for i in range(4):
         rotations[0, i] = local_rotations[0, i]
     positions[0, 0] = 0.0
@@ -206,7 +188,7 @@ def place_chain(
 
 
 @kernel
-def _reach_ankle(
+def reach_ankle(
     rig: Rig,
     side: int,
     local_rotations: Rotations,
@@ -215,7 +197,17 @@ def _reach_ankle(
     rotations: Rotations,
     positions: Positions,
 ) -> None:
-    """Turn one leg so that its ankle is where it should be and its foot as it was blended."""
+    """Turn one leg so that its ankle is where it should be and its foot as it was blended.
+
+    Args:
+        rig: The body.
+        side: 0 for the left leg, 1 for the right one.
+        local_rotations: As blended, shape (joints, 4).
+        foot_rotations: As blended, relative to the root, shape (2, 4).
+        ankles: Where the ankles should be, relative to the root [m], shape (2, 3).
+        rotations: Joints relative to the root, shape (joints, 4); the leg's are rewritten.
+        positions: Joints relative to the root [m], shape (joints, 3); likewise.
+    """
     hip, knee, ankle = rig.limbs[side, 0], rig.limbs[side, 1], rig.limbs[side, 2]
     upper, lower, bent, end = reach_point(
         (positions[hip, 0], positions[hip, 1], positions[hip, 2]),

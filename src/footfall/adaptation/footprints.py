@@ -1,0 +1,99 @@
+"""Footprints: a foot that carries stays where it came down, and is let go without a jump.
+
+A footprint is kept as the offset by which a foot is moved. While the foot carries, the offset
+takes back what the blended pose would let the carrying point slide; that point rolls from heel
+to toe with the foot. Afterwards the offset springs back to nothing during the swing.
+"""
+
+from __future__ import annotations
+
+import math
+
+from footfall.arrays import Positions
+from footfall.compilation import kernel
+
+__all__ = ["hold_foot", "release_foot", "spring", "toe_share"]
+
+ROLL = 0.03
+"""Difference of the heights of heel and toe over which the weight passes between them, in leg
+lengths."""
+
+GRIP_TIME = 0.05
+"""Time in which a foot takes hold at the start of a span, and lets go at its end [s]: a real
+foot still or already moves there, and stopping it at once would jerk."""
+
+RELEASE_SPEED = 14.0
+"""Of the spring that takes an offset back during the swing [1/s]."""
+
+SETTLE_SPEED = 25.0
+"""Of the spring that brings a carrying foot to the height of the ground [1/s]."""
+
+
+@kernel
+def toe_share(heel_height: float, toe_height: float) -> float:
+    """Return where between heel (0) and toe (1) a foot carries.
+
+    Args:
+        heel_height: Over its own height at rest, in leg lengths.
+        toe_height: Likewise.
+    """
+    x = (heel_height - toe_height) / ROLL + 0.5
+    x = min(max(x, 0.0), 1.0)
+    return x * x * (3.0 - 2.0 * x)
+
+
+@kernel
+def spring(
+    value: float, speed: float, goal: float, stiffness: float, dt: float
+) -> tuple[float, float]:
+    """Return value and speed after `dt` [s] of a critically damped spring towards a goal.
+
+    Exact for any `dt`: cutting it into pieces changes nothing.
+    """
+    away = value - goal
+    pull = speed + stiffness * away
+    decay = math.exp(-stiffness * dt)
+    return goal + (away + pull * dt) * decay, (speed - stiffness * pull * dt) * decay
+
+
+@kernel
+def hold_foot(
+    offset: Positions,
+    velocity: Positions,
+    slide: tuple[float, float],
+    height: float,
+    grip: float,
+    dt: float,
+) -> None:
+    """Keep a carrying foot in its footprint.
+
+    Args:
+        offset: How far the foot is moved [m], shape (3,); updated.
+        velocity: How fast that changes [m/s], shape (3,); updated.
+        slide: How far the blended pose moved the carrying point over the ground, x and z [m].
+        height: Of the carrying point over the ground, before the offset [m].
+        grip: How firmly it is held, 0..1.
+        dt: Time step [s].
+    """
+    for axis, moved in ((0, slide[0]), (2, slide[1])):
+        offset[axis] -= grip * moved
+        velocity[axis] = -grip * moved / dt if dt > 0.0 else 0.0
+    offset[1], velocity[1] = spring(offset[1], velocity[1], -height, SETTLE_SPEED, dt)
+
+
+@kernel
+def release_foot(offset: Positions, velocity: Positions, lowest: float, dt: float) -> None:
+    """Take a swinging foot's offset back; arguments as in `hold_foot`.
+
+    Args:
+        offset: Updated, shape (3,) [m].
+        velocity: Updated, shape (3,) [m/s].
+        lowest: Height of the lowest point of the foot over the ground, before the offset [m];
+            the foot is not let below the ground.
+        dt: Time step [s].
+    """
+    for axis in range(3):
+        offset[axis], velocity[axis] = spring(offset[axis], velocity[axis], 0.0, RELEASE_SPEED, dt)
+    if offset[1] < -max(lowest, 0.0):
+        offset[1] = -max(lowest, 0.0)
+        velocity[1] = max(velocity[1], 0.0)

@@ -1,0 +1,157 @@
+"""From clock time to clip times: the schedule, the length of its slots, the time warp.
+
+Stages 1 to 3 of the pipeline, for one character. Everything happens at its exact moment: an
+advance is cut wherever a slot ends, so that a long frame and two short ones agree.
+"""
+
+from __future__ import annotations
+
+from footfall.compilation import kernel
+from footfall.engine.shelf import Shelf, support_at
+from footfall.engine.slots import (
+    begin_leaving,
+    enter_slot,
+    rebuild_warps,
+    retry_waiting,
+    update_weights,
+)
+from footfall.engine.state import EMPTY, LEAVING, RUNNING, SEATS, Character
+from footfall.skeleton import BodyPart
+from footfall.support import Support
+from footfall.sync.tables import Rules
+from footfall.timing import advance_progress, warp
+
+__all__ = ["pass_time"]
+
+LEGS = int(BodyPart.LEGS)
+LEFT, RIGHT, DOUBLE = int(Support.LEFT), int(Support.RIGHT), int(Support.DOUBLE)
+
+SAME_MOMENT = 1e-9
+"""Clock times closer than this are one moment [s]."""
+
+
+@kernel
+def pass_time(shelf: Shelf, me: Character, rules: Rules, dt: float) -> None:
+    """Let `dt` seconds pass on one character's clocks."""
+    end = me.clock + dt
+    while True:
+        moving = _weights_move(me)
+        if moving:
+            update_weights(me)
+            rebuild_warps(shelf, me)
+        step = end - me.clock
+        slot_ends = False
+        duration = me.slot_duration
+        if me.synchronized and duration > 0.0:
+            left = (1.0 - me.slot_progress) * duration
+            if left <= step + SAME_MOMENT:
+                step, slot_ends = min(left, step), True
+        _run_clips(shelf, me, step, slot_ends)
+        _run_fades(me, step)
+        me.clock += step
+        if duration > 0.0:
+            me.slot_progress += step / duration
+        if slot_ends:
+            enter_slot(shelf, me, rules)
+        elif end - me.clock <= SAME_MOMENT:
+            break
+    me.clock = end
+    _settle(shelf, me, rules)
+
+
+@kernel
+def _weights_move(me: Character) -> bool:
+    for seat in range(SEATS):
+        fading = me.fade_progress[seat, 0] < 1.0 or me.fade_progress[seat, 1] < 1.0
+        if me.status[seat] >= RUNNING and fading:
+            return True
+    return False
+
+
+@kernel
+def _run_clips(shelf: Shelf, me: Character, step: float, slot_ends: bool) -> None:
+    """Advance every clip: warped where it is synchronized, else at its own speed."""
+    for seat in range(SEATS):
+        if me.status[seat] < RUNNING:
+            continue
+        if me.synchronized and me.playing[seat]:
+            part = me.segment[seat]
+            if slot_ends:
+                me.clip_time[seat] = part[4]
+                me.rate[seat] = part[5]
+            else:
+                clip_time, rate = warp(
+                    me.clock + step,
+                    part[0],
+                    part[1],
+                    part[2],
+                    part[3],
+                    part[4],
+                    part[5],
+                    shelf.use_paper_cubic,
+                )
+                me.clip_time[seat], me.rate[seat] = clip_time, rate
+            continue
+        action = me.action[seat]
+        clip_time = me.clip_time[seat] + step
+        me.rate[seat] = 1.0
+        if not shelf.entries[action].cyclic and clip_time >= shelf.entries[action].duration:
+            clip_time = shelf.entries[action].duration
+            me.rate[seat] = 0.0
+            begin_leaving(shelf, me, seat)
+        me.clip_time[seat] = clip_time
+
+
+@kernel
+def _run_fades(me: Character, step: float) -> None:
+    """Advance every fade; leg weights wait while both feet carry, or none (S-27)."""
+    support = me.results[0]
+    may_move = not me.synchronized or support in (LEFT, RIGHT)
+    for seat in range(SEATS):
+        if me.status[seat] < RUNNING:
+            continue
+        asked = me.fade_asked[seat]
+        for group in range(2):
+            me.fade_progress[seat, group] = advance_progress(
+                me.fade_progress[seat, group],
+                me.fade_elapsed[seat, group],
+                asked,
+                step,
+                may_move or group == 1,
+            )
+            me.fade_elapsed[seat, group] += step
+
+
+@kernel
+def _settle(shelf: Shelf, me: Character, rules: Rules) -> None:
+    """Let go what has faded out beside the schedule, and say what carries the body."""
+    standing = True
+    for seat in range(SEATS):
+        if me.status[seat] == LEAVING and not me.playing[seat]:
+            progress = me.fade_progress[seat]
+            if progress[0] >= 1.0 and progress[1] >= 1.0:
+                me.status[seat] = EMPTY
+        if me.playing[seat]:
+            standing = False
+    if standing and me.synchronized:
+        me.slot_duration = 0.0
+        retry_waiting(shelf, me, rules)
+    update_weights(me)
+    me.support = _present_support(shelf, me)
+
+
+@kernel
+def _present_support(shelf: Shelf, me: Character) -> int:
+    """Return the combined support, or without synchronization that of the heaviest action."""
+    if me.synchronized:
+        for seat in range(SEATS):
+            if me.playing[seat]:
+                return me.results[0]
+        return DOUBLE
+    heaviest = me.weights[SEATS, LEGS]
+    support = DOUBLE
+    for seat in range(SEATS):
+        if me.status[seat] >= RUNNING and me.weights[seat, LEGS] > heaviest:
+            heaviest = me.weights[seat, LEGS]
+            support = support_at(shelf, me.action[seat], me.clip_time[seat])
+    return support

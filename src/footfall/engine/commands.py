@@ -1,0 +1,86 @@
+"""Start and stop, for one character (figure 2: t1 and t3)."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy.typing as npt
+
+from footfall.compilation import kernel
+from footfall.engine.shelf import Shelf
+from footfall.engine.slots import begin_leaving, enter_action
+from footfall.engine.state import EMPTY, RUNNING, SEATS, WAITING, Character
+from footfall.skeleton import BodyPart
+from footfall.sync.tables import Rules
+from footfall.timing import reverse_fade
+
+__all__ = ["NO_SEAT", "STARTED", "WAITS", "start_row", "stop_row"]
+
+LEGS = int(BodyPart.LEGS)
+PARTS = len(BodyPart)
+
+NO_SEAT, WAITS, STARTED = -1, 0, 1
+"""What `start_row` returns."""
+
+
+@kernel
+def start_row(
+    shelf: Shelf, characters: npt.NDArray[Any], rules: Rules, row: int, action: int
+) -> int:
+    """Start an action of one character, or seat it to wait for its moment.
+
+    A running one goes on; one that fades out rises again, unless its clip is over (S-14).
+
+    Returns:
+        `STARTED`, `WAITS`, or `NO_SEAT` where every seat is taken.
+    """
+    me = characters[row]
+    free = -1
+    for seat in range(SEATS):
+        status = me.status[seat]
+        if status == EMPTY:
+            free = seat if free < 0 else free
+        elif me.action[seat] == action:
+            if status == WAITING:
+                return WAITS
+            if status == RUNNING:
+                return STARTED
+            over = me.clip_time[seat] >= shelf.entries[action].duration
+            if shelf.entries[action].cyclic or not over:
+                _rise_again(shelf, me, seat)
+                return STARTED
+    if free < 0:
+        return NO_SEAT
+    me.action[free] = action
+    me.sequence[free] = action
+    for part in range(PARTS):
+        me.priorities[free, part] = shelf.entries[action].priorities[part]
+    me.priority[free] = me.priorities[free, LEGS]
+    me.starts += 1
+    me.age[free] = me.starts
+    me.fade_elapsed[free, 0] = me.fade_elapsed[free, 1] = 0.0
+    me.playing[free] = False
+    me.status[free] = WAITING
+    if enter_action(shelf, me, rules, free):
+        return STARTED
+    return WAITS
+
+
+@kernel
+def _rise_again(shelf: Shelf, me: Character, seat: int) -> None:
+    asked = shelf.entries[me.action[seat]].fade_in
+    me.status[seat] = RUNNING
+    me.fade_asked[seat] = asked
+    for group in range(2):
+        progress, elapsed = reverse_fade(me.fade_progress[seat, group], asked)
+        me.fade_progress[seat, group] = progress
+        me.fade_elapsed[seat, group] = elapsed
+
+
+@kernel
+def stop_row(shelf: Shelf, characters: npt.NDArray[Any], row: int, action: int) -> None:
+    """Stop an action of one character: fade it out, or give up its wait."""
+    me = characters[row]
+    for seat in range(SEATS):
+        if me.status[seat] != EMPTY and me.action[seat] == action:
+            begin_leaving(shelf, me, seat)

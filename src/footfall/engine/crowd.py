@@ -1,0 +1,250 @@
+"""A crowd: many characters of one body, and the arrays of commands that drive them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from footfall.adaptation import Plane
+from footfall.arrays import Indices, Positions, Rotations, Supports, Weights
+from footfall.engine.commands import NO_SEAT, start_row, stop_row
+from footfall.engine.library import MotionLibrary, parse_priority
+from footfall.engine.pipeline import advance_rows
+from footfall.engine.state import EMPTY, SEATS, new_characters, new_workspace
+from footfall.errors import ArgumentError, SkeletonError
+from footfall.skeleton import Skeleton
+from footfall.sync.tables import Planner, rules_of
+
+__all__ = ["Crowd"]
+
+Rows = Sequence[int] | npt.NDArray[Any] | None
+
+
+class Crowd:
+    """Characters that share a motion library and a body. One character is a crowd of one.
+
+    Same commands, same bits: nothing here reads a clock or rolls dice.
+    """
+
+    def __init__(
+        self,
+        library: MotionLibrary,
+        size: int = 1,
+        *,
+        skeleton: Skeleton | None = None,
+        ground: Plane | None = None,
+        planner: Planner = "footfall",
+        lookahead: int = 5,
+        synchronized: bool = True,
+        footprints: bool = True,
+    ) -> None:
+        """Place characters at the origin, facing +z, doing nothing.
+
+        Args:
+            library: Its actions can be started, also those that are added later.
+            size: How many characters, >= 1.
+            skeleton: Their body; by default that of the library's first clip.
+            ground: What they stand on; by default a plane at height 0.
+            planner: "footfall", or "paper" for the rule as printed.
+            lookahead: How many slots ahead phases are synchronized, >= 1.
+            synchronized: Whether supports are synchronized at all; if not, motions are
+                cross-faded as they are, joint by joint.
+            footprints: Whether planted feet are held where they came down.
+
+        Raises:
+            ArgumentError: If a number is out of range.
+            SkeletonError: If the skeleton has other joints than the library's.
+        """
+        if size < 1:
+            raise ArgumentError(f"a crowd of {size}; it needs at least 1 character")
+        if lookahead < 1:
+            raise ArgumentError(f"a look-ahead of {lookahead} slots; it must be at least 1")
+        if skeleton is not None and not skeleton.same_family(library.skeleton):
+            raise SkeletonError(
+                f"a body of {skeleton.count} joints cannot perform motions of "
+                f"{library.skeleton.count}; joint names and parents must be the same"
+            )
+        self.library = library
+        self.size = size
+        self.skeleton = skeleton or library.skeleton
+        self._planner: Planner = planner
+        self._rules = rules_of(planner)
+        self._rig = library.rig(self.skeleton)
+        self._shelf = library.shelf(planner)
+        self._known = len(library.actions)
+        self._work = new_workspace(self.skeleton.count)
+        self._characters = new_characters(size, lookahead)
+        self._characters["synchronized"] = synchronized
+        self._characters["printed"] = footprints and synchronized
+        self._characters["ground_height"] = (ground or Plane()).height
+        self._world_positions = np.zeros((size, self.skeleton.count, 3))
+        self._world_rotations = np.zeros((size, self.skeleton.count, 4))
+
+    def _refresh(self) -> None:
+        if len(self.library.actions) != self._known:
+            self._shelf = self.library.shelf(self._planner)
+            self._known = len(self.library.actions)
+
+    def _check_rows(self, rows: Rows) -> Indices:
+        if rows is None:
+            return np.arange(self.size)
+        chosen = np.asarray(rows)
+        if chosen.dtype == np.bool_ and chosen.shape == (self.size,):
+            return np.flatnonzero(chosen)
+        if chosen.ndim != 1 or (chosen.size and not np.issubdtype(chosen.dtype, np.integer)):
+            raise ArgumentError(
+                f"rows of shape {chosen.shape} and type {chosen.dtype}; a list of row numbers or "
+                f"a mask of shape ({self.size},) is needed"
+            )
+        if chosen.size and not (chosen.min() >= 0 and chosen.max() < self.size):
+            raise ArgumentError(
+                f"rows {chosen.min()}..{chosen.max()}; this crowd has rows 0..{self.size - 1}"
+            )
+        return chosen.astype(np.int64)
+
+    def _check_action(self, action: int) -> int:
+        if not 0 <= action < len(self.library.actions):
+            raise ArgumentError(
+                f"action {action}; the library has 0..{len(self.library.actions) - 1}"
+            )
+        self._refresh()
+        return action
+
+    def start(self, action: int, rows: Rows = None) -> npt.NDArray[np.bool_]:
+        """Start an action, or let it wait for its moment.
+
+        Args:
+            action: Its id in the library.
+            rows: Which characters: row numbers, a mask, or None for all.
+
+        Returns:
+            Whether it runs now, for each of the rows; where not, it waits and starts as soon
+            as it can be synchronized.
+
+        Raises:
+            ArgumentError: If the action or a row does not exist, or a character already has
+                its hands full.
+        """
+        action = self._check_action(action)
+        chosen = self._check_rows(rows)
+        started = np.zeros(len(chosen), dtype=np.bool_)
+        for place, row in enumerate(chosen):
+            code = start_row(self._shelf, self._characters, self._rules, int(row), action)
+            if code == NO_SEAT:
+                raise ArgumentError(
+                    f"character {row} already has {SEATS} actions running, waiting or fading; "
+                    "stop one first"
+                )
+            started[place] = code > 0
+        return started
+
+    def stop(self, action: int, rows: Rows = None) -> None:
+        """Let an action fade out, or cancel its waiting start.
+
+        Args:
+            action: Its id in the library.
+            rows: Which characters: row numbers, a mask, or None for all.
+
+        Raises:
+            ArgumentError: If the action or a row does not exist.
+        """
+        action = self._check_action(action)
+        for row in self._check_rows(rows):
+            stop_row(self._shelf, self._characters, int(row), action)
+
+    def set_priority(
+        self, action: int, priority: float | Mapping[str, float], rows: Rows = None
+    ) -> None:
+        """Change the priority of a running or waiting action.
+
+        Args:
+            action: Its id in the library.
+            priority: As in `MotionLibrary.add`.
+            rows: Which characters: row numbers, a mask, or None for all.
+
+        Raises:
+            ArgumentError: If the action or a row does not exist, or a number is out of range.
+            UnknownNameError: If a body part is unknown.
+        """
+        action = self._check_action(action)
+        values = parse_priority(priority)
+        for row in self._check_rows(rows):
+            seats = (self._characters["action"][row] == action) & (
+                self._characters["status"][row] != EMPTY
+            )
+            self._characters["priorities"][row, seats] = values
+            self._characters["priority"][row, seats] = values[0]
+
+    def place(
+        self, position: npt.ArrayLike, heading: npt.ArrayLike = 0.0, rows: Rows = None
+    ) -> None:
+        """Put characters somewhere; footprints are forgotten.
+
+        Args:
+            position: x and z [m], shape (2,) or (rows, 2).
+            heading: Yaw [rad], 0 facing +z, positive from z towards x.
+            rows: Which characters: row numbers, a mask, or None for all.
+
+        Raises:
+            ArgumentError: If a row does not exist or a number is not finite.
+        """
+        chosen = self._check_rows(rows)
+        places = np.broadcast_to(np.asarray(position, dtype=np.float64), (len(chosen), 2))
+        headings = np.broadcast_to(np.asarray(heading, dtype=np.float64), (len(chosen),))
+        if not (np.isfinite(places).all() and np.isfinite(headings).all()):
+            raise ArgumentError("a position or heading is not finite; finite numbers are needed")
+        self._characters["root"][chosen, :2] = places
+        self._characters["root"][chosen, 2] = headings
+        self._characters["foot_offset"][chosen] = 0.0
+        self._characters["foot_velocity"][chosen] = 0.0
+
+    def advance(self, dt: float) -> None:
+        """Let time pass for everybody.
+
+        Args:
+            dt: How much [s], >= 0 and finite; 0 only works out the poses.
+
+        Raises:
+            ArgumentError: If `dt` is negative or not finite.
+        """
+        if not (0.0 <= dt < float("inf")):
+            raise ArgumentError(f"dt is {dt} s; it must be finite and >= 0")
+        self._refresh()
+        advance_rows(
+            self._shelf,
+            self._rig,
+            self._characters,
+            self._work,
+            self._rules,
+            self._world_rotations,
+            self._world_positions,
+            float(dt),
+        )
+
+    @property
+    def characters(self) -> npt.NDArray[Any]:
+        """Everything the crowd remembers: records of `Character`, shape (rows,); a view."""
+        return self._characters
+
+    @property
+    def world_positions(self) -> Positions:
+        """Joints in the world [m], shape (rows, joints, 3); a view that advance overwrites."""
+        return self._world_positions
+
+    @property
+    def world_rotations(self) -> Rotations:
+        """Joints in the world, shape (rows, joints, 4); a view that advance overwrites."""
+        return self._world_rotations
+
+    @property
+    def supports(self) -> Supports:
+        """What carries each character, values of `Support`, shape (rows,)."""
+        return self._characters["support"]
+
+    @property
+    def weights(self) -> Weights:
+        """Weight of each seat on each body part, the neutral motion last, (rows, 9, parts)."""
+        return self._characters["weights"]

@@ -1,0 +1,115 @@
+"""From a clip to what the library keeps of it: normalized poses, their root, resting feet."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from footfall.arrays import Flags, Floats, Positions, Rotations, SmallFloats
+from footfall.geometry import conjugate, multiply
+from footfall.motion import Clip, extract_root_path
+from footfall.skeleton import Anatomy
+from footfall.skeleton.normalized import Rig, channel_count, normalize, rig_of
+from footfall.support import SupportSequence
+
+__all__ = ["PackedClip", "pack_clip", "pack_standing"]
+
+RESTING_SHARE = 15.0
+"""Percentile of a foot point's heights, while the foot carries, that is its height at rest:
+low, since the heel is up for much of a stance, but above the noise."""
+
+
+class PackedClip(NamedTuple):
+    """One clip, ready to be appended to the library."""
+
+    keys: SmallFloats
+    """Normalized poses, shape (frames, channels)."""
+
+    roots: Floats
+    """x and z in leg lengths, heading [rad], shape (frames, 3)."""
+
+    resting_heights: Floats
+    """Heel and toe of each foot over the ground at rest, in leg lengths, shape (2, 2)."""
+
+    floor: float
+    """Height of the ground in the clip's own world [m]."""
+
+    leg_length: float
+    """Of the clip's own body [m]."""
+
+
+def pack_clip(clip: Clip, anatomy: Anatomy, supports: SupportSequence) -> PackedClip:
+    """Normalize a clip.
+
+    The ground is where the lowest point of each foot rests while the foot carries, on average.
+
+    Args:
+        clip: The motion.
+        anatomy: What the joints of its skeleton are.
+        supports: What carries the body when.
+    """
+    rig = rig_of(clip.skeleton, anatomy)
+    rotations, positions = clip.world_poses()
+    carried = _carrying_feet(clip, supports)
+    resting = _resting_heights(rig, rotations, positions, carried)
+    floor = float(resting.min(axis=1).mean())
+    path = extract_root_path(clip, anatomy)
+    keys = normalize(
+        clip.skeleton, rig, clip.pelvis_positions, clip.local_rotations, path.headings, floor
+    )
+    roots = np.column_stack([path.positions / rig.leg_length, path.headings])
+    return PackedClip(keys, roots, (resting - floor) / rig.leg_length, floor, rig.leg_length)
+
+
+def _carrying_feet(clip: Clip, supports: SupportSequence) -> Flags:
+    """Return whether each foot carries in each frame, shape (frames, 2)."""
+    phases = [supports.support_at(frame / clip.fps) for frame in range(clip.frames)]
+    return np.array([(support.left, support.right) for support in phases])
+
+
+def _resting_heights(
+    rig: Rig, rotations: Rotations, positions: Positions, carried: Flags
+) -> Floats:
+    """Return how high heel and toe of each foot are while it carries [m], shape (2, 2)."""
+    resting = np.empty((2, 2))
+    for side in range(2):
+        frames = carried[:, side] if carried[:, side].any() else np.ones(len(carried), dtype=bool)
+        ankle = rig.limbs[side, 2]
+        for point in range(2):
+            offset = np.concatenate([[0.0], rig.foot_points[side, point]])
+            turned = multiply(rotations[frames, ankle], offset)
+            turned = multiply(turned, conjugate(rotations[frames, ankle]))
+            heights = positions[frames, ankle, 1] + turned[:, 2]
+            resting[side, point] = np.percentile(heights, RESTING_SHARE)
+    return resting
+
+
+def pack_standing(packed: PackedClip, joints: int) -> SmallFloats:
+    """Return a neutral pose made from a clip: its mean posture, both feet on the ground.
+
+    Args:
+        packed: Any clip; that of a gait gives the most natural stance.
+        joints: How many joints its body has.
+
+    Returns:
+        One normalized pose, shape (1, channels).
+    """
+    keys = packed.keys.astype(np.float64)
+    pose = np.empty((1, channel_count(joints)), dtype=np.float32)
+    rotations = keys[:, : 4 * joints + 8].reshape(len(keys), -1, 4)
+    mean = rotations.mean(axis=0)
+    mean /= np.maximum(np.linalg.norm(mean, axis=-1, keepdims=True), 1e-12)
+    for side in range(2):
+        mean[joints + side] = _flattest(keys, joints, side, rotations[:, joints + side])
+    pose[0, : 4 * joints + 8] = mean.reshape(-1)
+    effectors = keys[:, 4 * joints + 8 :].mean(axis=0)
+    effectors[2], effectors[5] = packed.resting_heights[:, 0]
+    effectors[3] = effectors[6] = 0.5 * (effectors[3] + effectors[6])
+    pose[0, 4 * joints + 8 :] = effectors
+    return pose
+
+
+def _flattest(keys: Floats, joints: int, side: int, rotations: Rotations) -> Floats:
+    """Return the rotation of a foot where its ankle is lowest: flat on the ground."""
+    return rotations[int(np.argmin(keys[:, 4 * joints + 10 + 3 * side]))]

@@ -1,0 +1,79 @@
+"""One tick of the engine. READ THIS FIRST.
+
+Data flows down this page. A character is a crowd of one: every stage is a kernel on the arrays
+of one row, and a crowd is the same kernels over many rows.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy.typing as npt
+
+from footfall.arrays import Positions, Rotations
+from footfall.compilation import kernel
+from footfall.engine.clock import pass_time
+from footfall.engine.placing import keep_footprints, place_body, write_world
+from footfall.engine.pose import blend_poses, locate_feet, move_root
+from footfall.engine.shelf import Shelf
+from footfall.engine.state import Character, Workspace
+from footfall.skeleton.normalized import Rig
+from footfall.sync.tables import Rules
+
+__all__ = ["LONGEST_STEP", "advance_rows"]
+
+LONGEST_STEP = 1.0 / 30.0
+"""Longest time between two poses [s]; a longer advance is cut into equal steps."""
+
+
+@kernel
+def advance_row(
+    shelf: Shelf, rig: Rig, me: Character, work: Workspace, rules: Rules, dt: float
+) -> None:
+    """Advance one character by `dt` seconds, at most `LONGEST_STEP`."""
+    # 1-3. Which phases are played together, how long they last, what time it is in each clip.
+    pass_time(shelf, me, rules, dt)
+    # 4. The pose of each clip at that time, and their weighted mean, free of any body.
+    blend_poses(shelf, rig, me, work)
+    # 5. The feet of that mean, and whether heel or toe carries.
+    locate_feet(shelf, me, work)
+    # 6. The way over the ground, so that the carrying foot stays.
+    move_root(shelf, rig, me)
+    # 7. The footprints: what was planted is held, what is lifted is let go.
+    keep_footprints(rig, me, dt)
+    # 8. This body's lengths; the legs reach for their footprints.
+    place_body(shelf, rig, me, work, dt)
+    me.fresh = False
+
+
+@kernel
+def advance_rows(
+    shelf: Shelf,
+    rig: Rig,
+    characters: npt.NDArray[Any],
+    work: Workspace,
+    rules: Rules,
+    world_rotations: Rotations,
+    world_positions: Positions,
+    dt: float,
+) -> None:
+    """Advance every character by `dt` seconds, of any length.
+
+    Args:
+        shelf: The library.
+        rig: Their body.
+        characters: Records of `character_type`, shape (rows,).
+        work: Memory to work in.
+        rules: The rules of the planner.
+        world_rotations: Written: joints in the world, shape (rows, joints, 4).
+        world_positions: Written: joints in the world [m], shape (rows, joints, 3).
+        dt: Time step [s], >= 0.
+    """
+    steps = max(1, math.ceil(dt / LONGEST_STEP - 1e-9))
+    for row in range(characters.shape[0]):
+        me = characters[row]
+        for _ in range(steps):
+            advance_row(shelf, rig, me, work, rules, dt / steps)
+        # 9. Into the world.
+        write_world(shelf, me, work, world_rotations[row], world_positions[row])

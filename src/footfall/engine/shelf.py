@@ -1,0 +1,230 @@
+"""The motion library as the kernels take it, and the questions they ask of it."""
+
+from __future__ import annotations
+
+import math
+from typing import Any, NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from footfall.arrays import Floats, Positions, Seconds, SmallFloats
+from footfall.compilation import kernel
+from footfall.geometry import quaternions, transforms
+from footfall.skeleton import BodyPart
+from footfall.sync.tables import SequenceTable
+
+__all__ = [
+    "Entry",
+    "Shelf",
+    "entry_type",
+    "key_at",
+    "phase_end",
+    "phase_start",
+    "read_points",
+    "support_at",
+    "travel",
+]
+
+
+class Entry:
+    """What the library knows of one action: a record of `entry_type`."""
+
+    first_frame: int
+    """Where its clip begins in `Shelf.keys`."""
+
+    frame_count: int
+    """How many frames it has."""
+
+    fps: float
+    """Its frames per second."""
+
+    duration: float
+    """Its time from first to last frame [s]."""
+
+    cyclic: bool
+    """Whether it starts over."""
+
+    phase_first: int
+    """Where its phases begin in `Shelf.phase_starts`."""
+
+    phase_count: int
+    """How many phases it has."""
+
+    priorities: Floats
+    """Priority on each body part, >= 0, shape (parts,)."""
+
+    fade_in: float
+    """How long a start should take to become complete [s]."""
+
+    fade_out: float
+    """The same for a stop."""
+
+
+entry_type = np.dtype(
+    [
+        ("first_frame", np.int64),
+        ("frame_count", np.int64),
+        ("fps", np.float64),
+        ("duration", np.float64),
+        ("cyclic", np.int8),
+        ("phase_first", np.int64),
+        ("phase_count", np.int64),
+        ("priorities", np.float64, (len(BodyPart),)),
+        ("fade_in", np.float64),
+        ("fade_out", np.float64),
+    ],
+    align=True,
+)
+"""The memory layout of `Entry`."""
+
+
+class Shelf(NamedTuple):
+    """All actions, packed for the kernels."""
+
+    keys: SmallFloats
+    """Normalized poses of all clips, one after the other, then the neutral one, (frames, ...)."""
+
+    roots: Floats
+    """The root of each of them: x, z in leg lengths, heading [rad], shape (frames, 3)."""
+
+    entries: npt.NDArray[Any]
+    """One record of `entry_type` for each action, shape (actions,)."""
+
+    resting_heights: Floats
+    """Height of heel and toe of each foot over the ground while they carry, in leg lengths;
+    the neutral motion is last. Shape (actions + 1, 2, 2)."""
+
+    table: SequenceTable
+    """The support sequences; action i has sequence i."""
+
+    phase_starts: Seconds
+    """Clip time at which each phase begins [s], beside `table.supports`, shape (phases,)."""
+
+    points: Positions
+    """Heel and toe of each foot in the ankle's frame, in leg lengths, (2 feet, 2 points, 3)."""
+
+    use_paper_cubic: bool
+    """Whether time is warped, and durations are voted, literally as printed."""
+
+    joints: int
+    """How many joints a pose has."""
+
+
+@kernel
+def phase_start(entry: Entry, phase_starts: Seconds, phase: int) -> float:
+    """Return the clip time [s] at which a phase of an action begins, cycles counted on."""
+    if not entry.cyclic:
+        if phase >= entry.phase_count:
+            return entry.duration
+        return phase_starts[entry.phase_first + phase]
+    cycles = phase // entry.phase_count
+    within = phase - cycles * entry.phase_count
+    return cycles * entry.duration + phase_starts[entry.phase_first + within]
+
+
+@kernel
+def phase_end(entry: Entry, phase_starts: Seconds, phase: int) -> float:
+    """Return the clip time [s] at which a phase of an action ends, cycles counted on."""
+    return phase_start(entry, phase_starts, phase + 1)
+
+
+@kernel
+def key_at(entry: Entry, clip_time: float) -> tuple[int, float, int]:
+    """Return the frame before a clip time, how far the next one is [0, 1), and the cycle."""
+    cycle = 0
+    if entry.duration <= 0.0:
+        return entry.first_frame, 0.0, cycle
+    if entry.cyclic:
+        cycle = math.floor(clip_time / entry.duration)
+        clip_time -= cycle * entry.duration
+    place = min(max(clip_time, 0.0) * entry.fps, entry.frame_count - 1.0)
+    frame = int(place)
+    fraction = place - frame
+    if frame >= entry.frame_count - 1:
+        frame, fraction = entry.frame_count - 1, 0.0
+    return entry.first_frame + frame, fraction, cycle
+
+
+@kernel
+def _root_at(roots: Floats, frame: int, fraction: float) -> tuple[float, float, float]:
+    after = frame + 1 if fraction > 0.0 else frame
+    one, other = roots[frame], roots[after]
+    return (
+        one[0] + fraction * (other[0] - one[0]),
+        one[1] + fraction * (other[1] - one[1]),
+        one[2] + fraction * (other[2] - one[2]),
+    )
+
+
+@kernel
+def travel(shelf: Shelf, action: int, before: float, after: float) -> tuple[float, float, float]:
+    """Return where the root of a clip is at one time as seen from where it was at another.
+
+    Args:
+        shelf: The library.
+        action: Which clip.
+        before: Clip time [s], past the end too.
+        after: Clip time [s], not before `before`.
+
+    Returns:
+        x and z in leg lengths, and heading [rad].
+    """
+    entry = shelf.entries[action]
+    frame, fraction, cycle = key_at(entry, before)
+    x, z, heading = _root_at(shelf.roots, frame, fraction)
+    next_frame, next_fraction, next_cycle = key_at(entry, after)
+    next_x, next_z, next_heading = _root_at(shelf.roots, next_frame, next_fraction)
+    first = shelf.roots[entry.first_frame]
+    last = shelf.roots[entry.first_frame + entry.frame_count - 1]
+    for _ in range(next_cycle - cycle):
+        next_x, next_z, next_heading = transforms.relative(
+            first[0], first[1], first[2], next_x, next_z, next_heading
+        )
+        next_x, next_z, next_heading = transforms.compose(
+            last[0], last[1], last[2], next_x, next_z, next_heading
+        )
+    return transforms.relative(x, z, heading, next_x, next_z, next_heading)
+
+
+@kernel
+def read_points(shelf: Shelf, frame: int, fraction: float, out: Positions) -> None:
+    """Write heel and toe of each foot, relative to the root, in leg lengths, (2, 2, 3)."""
+    keys = shelf.keys
+    after = frame + 1 if fraction > 0.0 else frame
+    for side in range(2):
+        turn = 4 * (shelf.joints + side)
+        place = 4 * shelf.joints + 9 + 3 * side
+        w, x, y, z = quaternions.nlerp(
+            keys[frame, turn],
+            keys[frame, turn + 1],
+            keys[frame, turn + 2],
+            keys[frame, turn + 3],
+            keys[after, turn],
+            keys[after, turn + 1],
+            keys[after, turn + 2],
+            keys[after, turn + 3],
+            fraction,
+        )
+        for point in range(2):
+            offset = shelf.points[side, point]
+            px, py, pz = quaternions.rotate(w, x, y, z, offset[0], offset[1], offset[2])
+            out[side, point, 0] = px
+            out[side, point, 1] = py
+            out[side, point, 2] = pz
+            for i in range(3):
+                one = keys[frame, place + i]
+                out[side, point, i] += one + fraction * (keys[after, place + i] - one)
+
+
+@kernel
+def support_at(shelf: Shelf, action: int, clip_time: float) -> int:
+    """Return the support of a clip by itself at a clip time [s], past the end too."""
+    entry = shelf.entries[action]
+    first, index = entry.phase_first, entry.phase_count - 1
+    if entry.cyclic:
+        past = math.floor((clip_time - shelf.phase_starts[first]) / entry.duration)
+        clip_time -= entry.duration * past
+    while index > 0 and clip_time < shelf.phase_starts[first + index]:
+        index -= 1
+    return shelf.table.supports[first + index]
