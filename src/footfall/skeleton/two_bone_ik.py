@@ -109,10 +109,12 @@ def reach_point(
     moved = math.sqrt((tx - ex) ** 2 + (ty - ey) ** 2 + (tz - ez) ** 2)
     pull = _HINT_SHARE * max(0.0, 1.0 - across / _HINT_BEND) * min(1.0, moved / _HINT_MOVE)
     along = hint[0] * dx + hint[1] * dy + hint[2] * dz
-    px += pull * (hint[0] - along * dx)
-    py += pull * (hint[1] - along * dy)
-    pz += pull * (hint[2] - along * dz)
+    hx, hy, hz = hint[0] - along * dx, hint[1] - along * dy, hint[2] - along * dz
+    px, py, pz = px + pull * hx, py + pull * hy, pz + pull * hz
     across = math.sqrt(px * px + py * py + pz * pz)
+    if across < 1e-6:
+        px, py, pz = hx, hy, hz
+        across = math.sqrt(px * px + py * py + pz * pz)
     if across < 1e-9:
         px, py, pz = -dy, dx, 0.0
         if dx * dx + dy * dy < 1e-6:
