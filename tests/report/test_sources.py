@@ -70,6 +70,9 @@ def test_a_cycle_goes_on_where_it_ended_and_slides_alike_each_time(yaw: float) -
     trace = clip_trace(clip, ANATOMY, SupportSequence.parse("L.5 -.5*"), cycles=3)
     assert trace.frames == 181
     assert np.abs(np.diff(trace.positions, n=2, axis=0)).max() < 0.02
+    assert np.abs(trace.rotations[[60, 120, 180], 0] @ from_yaw(yaw)) == pytest.approx(
+        np.abs(np.cos([0.0, 0.5 * yaw, yaw]))
+    )
     slips = [measure.inner_slip for measure in measure_spans(Track.from_trace(trace))]
     assert slips[1:3] == pytest.approx([slips[0], slips[0]])
 
