@@ -171,7 +171,7 @@ def _heights(gait: Gait, phases: Floats) -> Floats:
         bounds = np.array(supports.boundaries) + (gait.start + cycle) * gait.duration
         for phase, begin in zip(supports.phases, bounds, strict=False):
             if phase.support is Support.FLIGHT:
-                up, down = ballistic_speeds(0.0, phase.duration)
-                knots.append((float(begin), 0.0, up, -GRAVITY))
+                up, down = ballistic_speeds(-gait.pelvis.drop, phase.duration)
+                knots.append((float(begin), gait.pelvis.drop, up, -GRAVITY))
                 knots.append((float(begin) + phase.duration, 0.0, down, -GRAVITY))
     return quintic(phases * gait.duration, knots)

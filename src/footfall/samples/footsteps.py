@@ -27,6 +27,9 @@ __all__ = ["FootPath", "Stance", "Swing", "foot_path", "foot_rotations"]
 _ARM = tuple(toe - heel for toe, heel in zip(TOE_FROM_ANKLE, HEEL_FROM_ANKLE, strict=True))
 """From the heel to the ball, in the foot's frame [m]."""
 
+_ROLL_OFF = 2.5
+"""Exponent of the heel's rise: slow at first, fastest as the foot leaves."""
+
 _TOE_RELEASE = 0.45
 """Share of a swing in which the toes straighten."""
 
@@ -158,7 +161,7 @@ def _pitch(times: Seconds, stance: Stance) -> Floats:
         times, [(stance.strike, touch, rate, 0.0), (stance.strike + stance.flat, 0.0, 0.0, 0.0)]
     )
     off = np.clip((times - stance.leave + stance.rise) / stance.rise, 0.0, None)
-    pitch = down + stance.leave_pitch * off**3
+    pitch = down + stance.leave_pitch * off**_ROLL_OFF
     if stance.lifts:
         nodes, lifted = zip(*stance.lifts, strict=True)
         pitch = pitch + keyed(times, nodes, np.array(lifted))
@@ -173,7 +176,7 @@ def _standing(times: Seconds, stance: Stance) -> tuple[Positions, Floats]:
 
 def _edge(stance: Stance, *, leaving: bool) -> _Edge:
     if leaving:
-        pitch, rate = stance.leave_pitch, 3.0 * stance.leave_pitch / stance.rise
+        pitch, rate = stance.leave_pitch, _ROLL_OFF * stance.leave_pitch / stance.rise
     else:
         pitch = stance.strike_pitch
         rate = -stance.landing * pitch / stance.flat

@@ -78,6 +78,9 @@ class Pelvis:
     height: Harmonic
     """[m]; its mean is lowered until both legs reach. Not read in gaits with flights."""
 
+    drop: float = 0.0
+    """How much lower it lands than it takes off [m]; read in gaits with flights."""
+
     sway: Harmonic = Harmonic()
     """To the left [m]."""
 

@@ -168,7 +168,7 @@ def jump() -> Score:
     The parabola of the pelvis is that of free fall: 0.42 s in the air.
     """
     off, on = 0.70, 1.12
-    off_height, on_height = 1.03, 0.975
+    off_height, on_height = 1.0, 0.965
     up, down = ballistic_speeds(on_height - off_height, on - off)
 
     def foot(side: float) -> Footwork:
@@ -187,7 +187,8 @@ def jump() -> Score:
             ),
             (
                 swing(
-                    (0.25, x, 0.18, 0.16, -62.0),
+                    (0.1, x, 0.06, 0.12, -68.0),
+                    (0.25, x, 0.19, 0.16, -60.0),
                     (0.5, x, 0.31, 0.26, -42.0),
                     (0.8, x, 0.17, 0.43, -22.0),
                 ),

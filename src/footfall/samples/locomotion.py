@@ -33,6 +33,7 @@ def _run() -> Gait:
 
     pelvis = Pelvis(
         height=_STILL,
+        drop=0.015,
         sway=Harmonic(0.010, 0.18),
         heading=Harmonic(-6.0, 0.02),
         lean=Harmonic(1.5, 0.0, 9.0, 2),
@@ -58,9 +59,9 @@ def _hop(side: float) -> Gait:
     stepping = LegCycle(
         0.0,
         duty,
-        (side * 0.035, 0.25),
+        (side * 0.035, 0.235),
         clearance=((0.3, 0.06), (0.6, 0.07)),
-        pitch=((0.3, -50.0), (0.65, -15.0)),
+        pitch=((0.22, -66.0), (0.65, -15.0)),
         strike_pitch=-16.0,
         leave_pitch=-52.0,
         flat=0.3,
@@ -74,6 +75,7 @@ def _hop(side: float) -> Gait:
     )
     pelvis = Pelvis(
         height=_STILL,
+        drop=0.05,
         heading=Harmonic(side * 3.0, 0.1, side * -2.0),
         lean=Harmonic(2.0, 0.2, 6.0),
         tilt=Harmonic(side * 3.0, 0.15, side * -1.0),
@@ -107,8 +109,9 @@ def _side_step() -> Gait:
             strike,
             0.7,
             (across, 0.11),
-            clearance=((0.25, 0.05), (0.6, 0.055)),
+            clearance=((0.25, 0.05), (0.6, 0.06), (0.85, 0.035)),
             pitch=((0.3, -16.0), (0.7, 2.0)),
+            progress=((0.85, 0.885),),
             strike_pitch=-6.0,
             leave_pitch=-20.0,
             flat=0.12,

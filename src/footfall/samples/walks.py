@@ -48,7 +48,7 @@ def _walk(
             (side * 0.055, reach),
             clearance=((0.2, lift), (0.5, 0.02), (0.8, 0.045)),
             pitch=(
-                (0.2, 1.08 * leave_pitch),
+                (0.17, 1.17 * leave_pitch),
                 (0.5, -0.3 * -leave_pitch),
                 (0.78, 0.75 * strike_pitch),
             ),
