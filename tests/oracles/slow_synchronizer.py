@@ -1,7 +1,7 @@
 """The slow and obvious synchronizer: letters in dictionaries, written from the paper alone.
 
-`mended=True` adds what the default planner adds to the rule (entries excepted): ended actions
-are neutral, and a conflict hidden by a flight counts.
+`mended=True` adds what the default planner adds to the rule, the choice of an entry excepted:
+ended actions are neutral, a conflict hidden by a flight counts, and so does a window of flights.
 """
 
 from __future__ import annotations
@@ -103,8 +103,8 @@ class SlowSynchronizer:
             if self.result() != "Err":
                 for _ in range(self.lookahead + 1):
                     self.synchronize_next_column()
-        columns = len(self.window[action])
-        if "Err" in [self.result(k) for k in range(columns)]:
+        results = {self.result(k) for k in range(len(self.window[action]))}
+        if "Err" in results or (self.mended and results == {"-"}):
             self.window = before
             self.activated.remove(action)
             return False
