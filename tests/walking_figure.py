@@ -71,7 +71,7 @@ def walk(frames: int = 67, fps: float = 60.0, sliding: float = 0.0) -> Clip:
     phase = time / PERIOD
     pelvis = np.stack(
         [
-            0.02 * np.sin(2 * np.pi * phase),
+            np.zeros(frames),
             0.88 + 0.015 * np.cos(4 * np.pi * phase),
             STRIDE * phase,
         ],

@@ -1,1 +1,18 @@
-"""Pictures and pages."""
+"""Pictures of motions and schedules, and the demo page."""
+
+from footfall.view.foot_traces import foot_traces_svg
+from footfall.view.page import DemoPage, write_demo_page
+from footfall.view.strip import strip_svg
+from footfall.view.timeline import ActionLane, CueMark, LanePhase, Timeline, timeline_svg
+
+__all__ = [
+    "ActionLane",
+    "CueMark",
+    "DemoPage",
+    "LanePhase",
+    "Timeline",
+    "foot_traces_svg",
+    "strip_svg",
+    "timeline_svg",
+    "write_demo_page",
+]

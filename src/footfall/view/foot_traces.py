@@ -26,7 +26,18 @@ VISIBLE_SLIP = 0.012
 """A planted foot that moves farther than this is drawn as sliding [m]."""
 
 # Outline of a shoe: along the foot from heel (0) to toe joint (1), and half its width [m].
-_SHOE = ((-0.28, 0.0), (-0.22, 0.026), (0.0, 0.034), (0.45, 0.031), (0.95, 0.046), (1.3, 0.036))
+_SHOE = (
+    (-0.27, 0.012),
+    (-0.22, 0.025),
+    (-0.1, 0.033),
+    (0.1, 0.034),
+    (0.45, 0.031),
+    (0.7, 0.038),
+    (0.95, 0.046),
+    (1.15, 0.046),
+    (1.3, 0.037),
+    (1.41, 0.019),
+)
 _SHOE_TIP = (1.45, 0.0)
 
 

@@ -21,30 +21,36 @@ HEADING = 40.0
 TALLEST = 230.0
 """Greatest height of a figure [pixels]."""
 
+SPACING = 32.0
+"""Least mean distance between two figures [pixels]."""
+
 _SHORTEST_BONE = 0.02
 _HEAD_RADIUS = 0.095
 
 
 def strip_svg(
-    motions: Sequence[tuple[str, Trace]], parents: Indices, *, seconds: float = 0.2
+    motions: Sequence[tuple[str, Trace]], parents: Indices, *, seconds: float | None = None
 ) -> str:
     """Draw motions from their right side, a figure every so often, transitions in red.
 
     Args:
         motions: A title and a motion each; all of one body.
         parents: Index of each joint's parent, -1 for joint 0, shape (joints,).
-        seconds: Time between two figures [s], > 0.
+        seconds: Time between two figures [s], > 0; None: so that they stand apart.
 
     Raises:
         ArgumentError: If `seconds` is not positive.
     """
-    if not seconds > 0.0:
+    if seconds is not None and not seconds > 0.0:
         raise ArgumentError(f"figures every {seconds} s; the time between them must be > 0")
     stage = Stage.of(trace.positions[:, 0] for _, trace in motions)
     along = np.concatenate([stage.along(trace.positions).ravel() for _, trace in motions])
     tallest = max(float(trace.positions[..., 1].max()) for _, trace in motions) + 0.15
     start, end = float(along.min()) - 0.1, float(along.max()) + 0.1
     scale = min((WIDTH - 2 * MARGIN) / (end - start), TALLEST / tallest)
+    if seconds is None:
+        lasting = max(trace.frames / trace.fps for _, trace in motions)
+        seconds = _apart(lasting, (end - start) * scale)
     panel = HEADING + tallest * scale + 26.0
     picture = Picture("strip", "Figures from the side", WIDTH, 40.0 + len(motions) * panel)
     _legend(picture, seconds)
@@ -56,6 +62,12 @@ def strip_svg(
         for frame in range(0, figures.frames, max(1, round(seconds * RATE))):
             figures.draw(picture, frame)
     return picture.to_svg()
+
+
+def _apart(lasting: float, width: float) -> float:
+    """Return the time between two figures [s] that leaves enough room between them."""
+    speed = width / lasting
+    return next((s for s in (0.1, 0.15, 0.2, 0.25, 0.3, 0.4) if s * speed >= SPACING), 0.5)
 
 
 def _legend(picture: Picture, seconds: float) -> None:
