@@ -115,7 +115,7 @@ def between(
     if scale == 0.0:
         return (1.0, 0.0, 0.0, 0.0)
     w = scale + ax * bx + ay * by + az * bz
-    if w < 1e-9 * scale:
+    if w < 1e-14 * scale:
         if abs(ax) < abs(ay):
             return normalize(0.0, 0.0, -az, ay)
         return normalize(0.0, az, 0.0, -ax)

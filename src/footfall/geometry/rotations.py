@@ -101,8 +101,9 @@ def to_euler(order: str, rotations: Rotations) -> Floats:
     sign = 1.0 if (first, middle, last) in ((0, 1, 2), (1, 2, 0), (2, 0, 1)) else -1.0
     columns = [rotate(rotations, np.eye(3)[axis]) for axis in range(3)]
     matrix = np.stack(columns, axis=-1)
-    sine = np.clip(sign * matrix[..., first, last], -1.0, 1.0)
-    straight = np.abs(sine) < 1.0 - 1e-12
+    sine = sign * matrix[..., first, last]
+    cosine = np.hypot(matrix[..., first, first], matrix[..., first, middle])
+    straight = cosine > 1e-8
     angle_first = np.where(
         straight,
         np.arctan2(-sign * matrix[..., middle, last], matrix[..., last, last]),
@@ -111,7 +112,7 @@ def to_euler(order: str, rotations: Rotations) -> Floats:
     angle_last = np.where(
         straight, np.arctan2(-sign * matrix[..., first, middle], matrix[..., first, first]), 0.0
     )
-    return np.stack([angle_first, np.arcsin(sine), angle_last], axis=-1)
+    return np.stack([angle_first, np.arctan2(sine, cosine), angle_last], axis=-1)
 
 
 def continuous(rotations: Rotations) -> Rotations:

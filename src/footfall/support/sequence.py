@@ -148,13 +148,14 @@ class SupportSequence:
         return self.phases[self.index_at(clip_time)].support
 
     def __str__(self) -> str:
-        """Return the text form, with seconds to the millisecond."""
+        """Return the text form, with seconds to the millisecond (finer below half of one)."""
         words = " ".join(f"{p.support.symbol}{_seconds(p.duration)}" for p in self.phases)
         return words + ("*" if self.cyclic else "")
 
 
 def _seconds(duration: float) -> str:
-    return f"{duration:.3f}".rstrip("0").rstrip(".").removeprefix("0")
+    decimals = 3 if duration >= 0.0005 else 3 - math.floor(math.log10(duration))
+    return f"{duration:.{decimals}f}".rstrip("0").rstrip(".").removeprefix("0")
 
 
 def merge_equal_neighbors(phases: Iterable[SupportPhase]) -> tuple[SupportPhase, ...]:
