@@ -72,7 +72,10 @@ def _meant_rates(frame_time: Decimal) -> list[Decimal]:
 def _rounds_to(rate: Decimal, frame_time: Decimal) -> bool:
     """Whether 1/rate, written with as many decimals as the file has, reads as the file does."""
     exponent = frame_time.as_tuple().exponent
-    if not isinstance(exponent, int) or exponent >= 0 or exponent < -30:
+    if not isinstance(exponent, int) or not -30 <= exponent < 0:
+        return False
+    if len(frame_time.normalize().as_tuple().digits) < 2:
+        # One digit is no rounding to go by: 0.03 is as far from 1/30 as 33 is from 30.
         return False
     return (1 / rate).quantize(Decimal(1).scaleb(exponent)) == frame_time
 
