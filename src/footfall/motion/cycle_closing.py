@@ -17,6 +17,7 @@ from footfall.motion.editing import crop_frames
 from footfall.motion.gait import foot_point_paths, foot_speeds, swinging
 from footfall.motion.ground_alignment import align_on_ground
 from footfall.motion.leg_placement import place_feet
+from footfall.motion.pelvis_drop import pelvis_drops
 from footfall.skeleton import Anatomy
 
 __all__ = ["close_cycle", "cut_cycle"]
@@ -79,6 +80,8 @@ def close_cycle(clip: Clip, anatomy: Anatomy) -> Clip:
     turns = _foot_turns(feet, turn, shares)
     toes = points[:, :, 1] + shares[..., np.newaxis] * toes_missing
     ankles = toes + rotate(turns, positions[:, ankle_joints] - points[:, :, 1])
+    drops = pelvis_drops(clip.skeleton, anatomy, pelvis, local, ankles, clip.fps, cyclic=True)
+    pelvis[:, 1] -= drops
     local = place_feet(clip.skeleton, anatomy, pelvis, local, ankles, multiply(turns, feet))
     local[-1] = local[0]
     local[-1, 0] = multiply(turn, local[0, 0])

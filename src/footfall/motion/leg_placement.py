@@ -12,7 +12,7 @@ from footfall.geometry import conjugate, multiply
 from footfall.skeleton import Anatomy, Leg, Skeleton, pelvis_headings, world_poses
 from footfall.skeleton.two_bone_ik import reach_point
 
-__all__ = ["place_feet"]
+__all__ = ["IN_PLACE", "place_feet"]
 
 IN_PLACE = 1e-6
 """Distance below which an ankle is where it should be [m]."""
