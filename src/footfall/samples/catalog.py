@@ -7,10 +7,13 @@ from functools import lru_cache
 from footfall.errors import ArgumentError, UnknownNameError
 from footfall.motion import Clip
 from footfall.samples.cycle import perform
-from footfall.samples.flights import shot, walk_to_hop
-from footfall.samples.gestures import jump, kick, punch
+from footfall.samples.jump import JUMP
+from footfall.samples.kick import KICK
 from footfall.samples.locomotion import OTHER_GAITS
+from footfall.samples.punch import PUNCH
 from footfall.samples.score import play
+from footfall.samples.shot import SHOT
+from footfall.samples.walk_to_hop import WALK_TO_HOP
 from footfall.samples.walks import WALKS
 from footfall.support import SupportSequence
 
@@ -20,7 +23,7 @@ _LOWEST_RATE = 10.0
 
 _GAITS = {**WALKS, **OTHER_GAITS}
 
-_SCORES = {"kick": kick, "punch": punch, "jump": jump, "shot": shot, "walk-to-hop": walk_to_hop}
+_SCORES = {"kick": KICK, "punch": PUNCH, "jump": JUMP, "shot": SHOT, "walk-to-hop": WALK_TO_HOP}
 
 
 def sample_names() -> tuple[str, ...]:
@@ -53,4 +56,4 @@ def sample(name: str, *, fps: float = 60.0) -> tuple[Clip, SupportSequence]:
 def _made(name: str, fps: float) -> tuple[Clip, SupportSequence]:
     if name in _GAITS:
         return perform(_GAITS[name], name, fps)
-    return play(_SCORES[name](), name, fps)
+    return play(_SCORES[name], name, fps)

@@ -16,7 +16,7 @@ from footfall.samples.footsteps import FootPath, Stance, Swing, foot_path
 from footfall.samples.performance import Performance
 from footfall.support import Support, SupportPhase, SupportSequence
 
-__all__ = ["ArmKey", "Footwork", "Score", "TrunkKey", "play", "rest", "swing"]
+__all__ = ["ArmKey", "Footwork", "Score", "Trunk", "TrunkKey", "play"]
 
 TrunkKey = tuple[float, float, float, float]
 """A time [s], and there heading, lean and tilt [degrees]."""
@@ -34,6 +34,15 @@ class Footwork:
 
 
 @dataclass(frozen=True, slots=True)
+class Trunk:
+    """How the trunk turns and leans, each part in the world."""
+
+    pelvis: Sequence[TrunkKey]
+    chest: Sequence[TrunkKey]
+    head: Sequence[TrunkKey]
+
+
+@dataclass(frozen=True, slots=True)
 class Score:
     """A motion that happens once. The supports follow from the stances of the feet."""
 
@@ -43,28 +52,14 @@ class Score:
     feet: tuple[Footwork, Footwork]
     """Left and right foot."""
 
-    pelvis_path: tuple[Sequence[Knot], Sequence[Knot], Sequence[Knot]]
+    path: tuple[Sequence[Knot], Sequence[Knot], Sequence[Knot]]
     """x, y and z of the pelvis [m, s]."""
 
-    pelvis: Sequence[TrunkKey]
-    chest: Sequence[TrunkKey]
-    head: Sequence[TrunkKey]
-    left_arm: Sequence[ArmKey]
-    right_arm: Sequence[ArmKey]
+    trunk: Trunk
+    """How it turns and leans."""
 
-
-def rest(time: float, value: float, acceleration: float = 0.0) -> Knot:
-    """Return the knot of a curve that stops or turns there."""
-    return (time, value, 0.0, acceleration)
-
-
-def swing(*points: tuple[float, float, float, float, float]) -> Swing:
-    """Return a swing through points: share of it, x, clearance and z [m], pitch [degrees]."""
-    return Swing(
-        tuple((share, clearance) for share, _, clearance, _, _ in points),
-        tuple((share, math.radians(pitch)) for share, _, _, _, pitch in points),
-        tuple((share, x, z) for share, x, _, z, _ in points),
-    )
+    arms: tuple[Sequence[ArmKey], Sequence[ArmKey]]
+    """Left and right arm."""
 
 
 def play(score: Score, name: str, fps: float) -> tuple[Clip, SupportSequence]:
@@ -82,11 +77,11 @@ def _angles(times: Seconds, keys: Sequence[Sequence[float]]) -> Floats:
 
 def _performance(score: Score, times: Seconds, feet: tuple[FootPath, FootPath]) -> Performance:
     return Performance(
-        np.stack([quintic(times, knots) for knots in score.pelvis_path], axis=-1),
-        _angles(times, score.pelvis),
-        _angles(times, score.chest),
-        _angles(times, score.head),
-        np.stack([_angles(times, score.left_arm), _angles(times, score.right_arm)], axis=1),
+        np.stack([quintic(times, knots) for knots in score.path], axis=-1),
+        _angles(times, score.trunk.pelvis),
+        _angles(times, score.trunk.chest),
+        _angles(times, score.trunk.head),
+        np.stack([_angles(times, keys) for keys in score.arms], axis=1),
         feet,
     )
 
