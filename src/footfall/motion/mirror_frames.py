@@ -23,7 +23,11 @@ __all__ = ["frame_reflections", "mirrored_joints"]
 
 AXIS_MISFIT = 0.03
 """Squared misfit of the bones, as a share of their squared length, up to which a reflection along
-the axes is taken as meant: bones 10° apart, which real bodies' unequal sides stay below."""
+the axes is taken as meant: bones 10° apart, which real bodies' unequal limbs stay below."""
+
+AXIS_MISFIT_ALONE = 0.1
+"""The same for a joint without partner: shoulders are mounted up to 18° unevenly, and the head
+above them is not to lean for it."""
 
 POSE_WEIGHT = 0.02
 """Weight of what the poses say beside the bones: enough to settle a turn about a lone bone, too
@@ -147,12 +151,13 @@ def _across(bones: Positions, images: Positions) -> Floats:
 def _reflection(bones: Positions, images: Positions, expected: Floats, alone: bool) -> Floats:
     """Return the reflection that carries bones onto their images and agrees with the poses."""
     size = max(float((bones**2).sum() + (images**2).sum()) / 2.0, 1e-9)
+    most = AXIS_MISFIT_ALONE if alone else AXIS_MISFIT
     best, least = expected, np.inf
     for signs in ((-1, 1, 1), (1, -1, 1), (1, 1, -1), (-1, -1, -1)):
         axes = np.diag(np.array(signs, dtype=np.float64))
         misfit = float(((images - bones @ axes) ** 2).sum())
         score = misfit + POSE_WEIGHT * size * float(((axes - expected) ** 2).sum())
-        if misfit <= AXIS_MISFIT * size and score < least:
+        if misfit <= most * size and score < least:
             best, least = axes, score
     if np.isfinite(least) and float(((best - expected) ** 2).sum()) < 4.0:
         return best

@@ -24,8 +24,9 @@ def mirror(clip: Clip, anatomy: Anatomy) -> Clip:
     joints' frames. Then the legs are solved so that the ankles are at the mirror images of their
     partners', also where the two legs are not quite of one length; where the shorter one cannot
     reach, the pelvis is lowered. On a body with equal sides the result is the exact mirror image,
-    and mirroring twice gives the clip back; else both hold to about the difference between the
-    sides (on captured bodies 0 to 15 mm), and straight knees bend by up to 50 mm for it.
+    and mirroring twice gives the clip back. Else the ankles still are, toes and trunk miss it by
+    about the difference between the sides (on captured bodies 0 to 15 mm), and knees that were
+    straight bend for it, by up to 80 mm.
 
     Args:
         clip: The motion.
