@@ -7,9 +7,9 @@ import math
 from footfall.arrays import Indices, Seconds, Supports, Weights
 from footfall.compilation import kernel
 from footfall.support import Support
-from footfall.sync.columns import has_ended, own_phase
+from footfall.sync.columns import own_phase
 from footfall.sync.paper import enter_next_slot
-from footfall.sync.planner import REFUSED, start_action
+from footfall.sync.planner import REFUSED, release_action, start_action
 from footfall.sync.shares import column_share, natural_duration, spend_slot
 from footfall.sync.tables import ABSENT, ENDED_NEUTRAL, Rules, SequenceTable, Window
 from footfall.timing.weights import slot_duration
@@ -59,6 +59,7 @@ def play_commands(
         if slot > 0:
             spend_slot(table, window)
             enter_next_slot(table, window, rules)
+            _release_the_ended(table, window, rules)
         if window.results[0] != CONFLICT:
             for rank in range(order.shape[0]):
                 seat = int(order[rank])
@@ -82,6 +83,15 @@ def play_commands(
 
 
 @kernel
+def _release_the_ended(table: SequenceTable, window: Window, rules: Rules) -> None:
+    for seat in range(window.playing.shape[0]):
+        if window.playing[seat]:
+            phase = window.phases[seat, 0]
+            if own_phase(table, window.sequence[seat], phase, rules.ended) == ABSENT:
+                release_action(table, window, rules, seat)
+
+
+@kernel
 def _duration(
     table: SequenceTable, window: Window, rules: Rules, shares: Weights, natural: Seconds
 ) -> float:
@@ -93,11 +103,9 @@ def _duration(
     voters = 0
     for seat in range(window.playing.shape[0]):
         phase = window.phases[seat, 0]
-        if not window.playing[seat] or phase < 0:
+        if not window.playing[seat]:
             continue
         if rules.ended == ENDED_NEUTRAL:
-            if has_ended(table, window.sequence[seat], phase):
-                continue
             natural[voters] = column_share(table, window, seat, 0)
         else:
             natural[voters] = natural_duration(table, window.sequence[seat], phase)

@@ -122,17 +122,13 @@ def window_cost(table: SequenceTable, window: Window, rules: Rules) -> tuple[flo
     speed, plus, for each foot, 4 a (1 - a), where the share a of the weight plants it. Flights
     count `FLIGHT_PRICE` times in both.
     """
-    total = 0.0
-    for seat in range(window.playing.shape[0]):
-        if window.playing[seat]:
-            total += window.weight[seat]
-    if total <= 0.0:
-        return 0.0, 0.0
     columns = window.results.shape[0] - 1
     held = 0.0
     stretch = 0.0
     for column in range(columns):
-        clock = _column_duration(table, window, column)
+        total, clock = _votes(table, window, column)
+        if total <= 0.0:
+            continue
         left = 0.0
         right = 0.0
         for seat in range(window.playing.shape[0]):
@@ -153,8 +149,8 @@ def window_cost(table: SequenceTable, window: Window, rules: Rules) -> tuple[flo
 
 
 @kernel
-def _column_duration(table: SequenceTable, window: Window, column: int) -> float:
-    """Return how long a column lasts: the weighted mean of the contributions (eq. 6)."""
+def _votes(table: SequenceTable, window: Window, column: int) -> tuple[float, float]:
+    """Return the weight of all who have not ended in a column, and how long it lasts (eq. 6)."""
     total = 0.0
     duration = 0.0
     for seat in range(window.playing.shape[0]):
@@ -163,4 +159,4 @@ def _column_duration(table: SequenceTable, window: Window, column: int) -> float
         ):
             total += window.weight[seat]
             duration += window.weight[seat] * column_share(table, window, seat, column)
-    return duration / total if total > 0.0 else 1.0
+    return total, duration / total if total > 0.0 else 0.0

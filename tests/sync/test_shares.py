@@ -1,0 +1,41 @@
+"""What phases contribute to the slots that they cover."""
+
+from __future__ import annotations
+
+import pytest
+
+from footfall.support import SupportSequence
+from footfall.sync.shares import column_share, natural_duration, spend_slot
+from footfall.sync.tables import SequenceTable, Window
+
+TABLE = SequenceTable.of([SupportSequence.parse("R.4 D.1*"), SupportSequence.parse("D.3 L.6")])
+
+
+def window(phases: list[int], *, sequence: int = 0, remaining: float) -> Window:
+    made = Window.empty(1, len(phases) - 1)
+    made.playing[0] = True
+    made.sequence[0] = sequence
+    made.phases[0, : len(phases)] = phases
+    made.remaining[0] = remaining
+    return made
+
+
+def test_natural_durations_past_the_end() -> None:
+    assert [natural_duration(TABLE, 0, phase) for phase in range(4)] == [0.4, 0.1, 0.4, 0.1]
+    assert [natural_duration(TABLE, 1, phase) for phase in range(4)] == [0.3, 0.6, 0.6, 0.6]
+
+
+def test_what_is_left_is_split_over_the_slots_left() -> None:
+    made = window([2, 2, 2, 3, 3], remaining=0.3)
+    shares = [column_share(TABLE, made, 0, column) for column in range(5)]
+    assert shares == pytest.approx([0.1, 0.1, 0.1, 0.05, 0.05])
+
+
+def test_a_phase_is_over_when_its_slots_are() -> None:
+    made = window([0, 0, 1, 2], sequence=1, remaining=0.3)
+    left: list[float] = []
+    for phases in ([0, 1, 2, 3], [1, 2, 3, 4], [2, 3, 4, 5]):
+        spend_slot(TABLE, made)
+        left.append(made.remaining[0])
+        made.phases[0, :4] = phases
+    assert left == pytest.approx([0.15, 0.6, 0.0])
