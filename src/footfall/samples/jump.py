@@ -91,7 +91,7 @@ _ARM = [
 ]
 
 JUMP = Score(2.0, _FEET, _PATH, _TRUNK, (_ARM, _ARM))
-"""Return a jump with both feet: crouch with the arms back, throw them up, fly, absorb.
+"""A jump with both feet: crouch with the arms back, throw them up, fly, absorb.
 
-    The parabola of the pelvis is that of free fall: 0.42 s in the air.
-    """
+The parabola of the pelvis is that of free fall: 0.42 s in the air.
+"""

@@ -69,9 +69,9 @@ _ARMS = (
 )
 
 KICK = Score(2.1, _FEET, _PATH, _TRUNK, _ARMS)
-"""Return a kick with the right instep at what lies ahead: weight over, back, through, down.
+"""A kick with the right instep at what lies ahead: weight over, back, through, down.
 
-    The order of its parts (backswing, leg cocking, swing to contact, follow-through) is that of
-    the soccer kick in Lees et al., "The biomechanics of soccer: a review", J. Sports Sci. 28,
-    2010.
-    """
+The order of its parts (backswing, leg cocking, swing to contact, follow-through) is that of
+the soccer kick in Lees et al., "The biomechanics of soccer: a review", J. Sports Sci. 28,
+2010.
+"""

@@ -54,7 +54,7 @@ def _run() -> Gait:
 
 
 def _hop(side: float) -> Gait:
-    """Return a hop in place of a run, on the left (side 1) or the right leg (-1), at 1 m/s."""
+    """Return hops on the left (side 1) or the right leg (-1), at 1 m/s."""
     duration, travel, duty = 0.5, 0.5, 0.56
     stepping = LegCycle(
         0.0,
@@ -80,6 +80,12 @@ def _hop(side: float) -> Gait:
         lean=Harmonic(2.0, 0.2, 6.0),
         tilt=Harmonic(side * 3.0, 0.15, side * -1.0),
     )
+    left, right = (stepping, free) if side > 0.0 else (free, stepping)
+    return Gait(duration, (0.0, travel), left, right, pelvis, _hopping_upper_body(side))
+
+
+def _hopping_upper_body(side: float) -> UpperBody:
+    """Return both arms thrown up together as the body rises."""
     arm = (
         Harmonic(mean=8.0),
         Harmonic(16.0, 0.6, 4.0),
@@ -87,7 +93,7 @@ def _hop(side: float) -> Gait:
         Harmonic(mean=-10.0),
         Harmonic(10.0, 0.65, 68.0),
     )
-    upper = UpperBody(
+    return UpperBody(
         chest=(
             Harmonic(side * 4.0, 0.6),
             Harmonic(3.0, 0.25, 7.0),
@@ -97,14 +103,12 @@ def _hop(side: float) -> Gait:
         left_arm=arm,
         right_arm=arm,
     )
-    left, right = (stepping, free) if side > 0.0 else (free, stepping)
-    return Gait(duration, (0.0, travel), left, right, pelvis, upper)
 
 
 def _side_step() -> Gait:
     """Return steps to the left: the left foot opens, the right one closes."""
 
-    def leg(strike: float, across: float, toe_out: float) -> LegCycle:
+    def leg(strike: float, across: float) -> LegCycle:
         return LegCycle(
             strike,
             0.7,
@@ -116,7 +120,7 @@ def _side_step() -> Gait:
             leave_pitch=-20.0,
             flat=0.12,
             rise=0.25,
-            toe_out=toe_out,
+            toe_out=6.0,
         )
 
     pelvis = Pelvis(
@@ -140,7 +144,7 @@ def _side_step() -> Gait:
         left_arm=arm,
         right_arm=arm,
     )
-    return Gait(1.2, (0.45, 0.0), leg(0.0, 0.3275, 6.0), leg(0.5, -0.0975, 6.0), pelvis, upper, 0.7)
+    return Gait(1.2, (0.45, 0.0), leg(0.0, 0.3275), leg(0.5, -0.0975), pelvis, upper, 0.7)
 
 
 def _idle() -> Gait:

@@ -66,4 +66,4 @@ _ARMS = (
 )
 
 PUNCH = Score(2.0, _FEET, _PATH, _TRUNK, _ARMS)
-"""Return a straight right (a cross) from a guard; both feet stay, the rear heel turns up."""
+"""A straight right (a cross) from a guard; both feet stay, the rear heel turns up."""

@@ -124,8 +124,8 @@ _ARMS = (
 )
 
 SHOT = Score(2.3, _FEET, _PATH, _TRUNK, _ARMS)
-"""Return a jump shot of handball, thrown with the left arm.
+"""A jump shot of handball, thrown with the left arm.
 
-    Its supports are those of figure 13 of the paper: L D R - L D R D. After two steps the right
-    leg takes off; the ball leaves in the air, near the highest point; the left foot lands.
-    """
+Its supports are those of figure 13 of the paper: L D R - L D R D. After two steps the right
+leg takes off; the ball leaves in the air, near the highest point; the left foot lands.
+"""

@@ -126,8 +126,8 @@ _ARMS = (
 )
 
 WALK_TO_HOP = Score(3.1, _FEET, _PATH, _TRUNK, _ARMS)
-"""Return two steps of the walk and two hops on the right leg: R D L D R - R - R D.
+"""Two steps of the walk and two hops on the right leg: R D L D R - R - R D.
 
-    Figure 14 of the paper: a normal motion coupled with a critical one, so that synchronization
-    finds more solutions.
-    """
+Figure 14 of the paper: a normal motion coupled with a critical one, so that synchronization
+finds more solutions.
+"""

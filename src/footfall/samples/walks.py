@@ -14,90 +14,101 @@ Reach, bounce, roll-off and toe lift were fitted so that the knee follows the cu
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 from footfall.samples.gait import Gait, Harmonic, LegCycle, Pelvis, UpperBody
 
 __all__ = ["WALKS"]
 
-_STILL = Harmonic()
 
+@dataclass(frozen=True, slots=True)
+class _Walk:
+    """What tells one walk from another; angles in degrees, lengths in metres."""
 
-def _walk(
-    duration: float,
-    stride: float,
-    duty: float,
-    *,
-    strike_pitch: float,
-    leave_pitch: float,
-    bounce: float,
-    turn: float,
-    arm: float,
-    elbow: float,
-    reach: float,
-    lean: float,
-    rise: float = 0.42,
-    lift: float = 0.06,
-    backward: bool = False,
-) -> Gait:
-    """Return a walk; phase 0 is the left heel strike, the first frame the left toe-off."""
+    duration: float
+    stride: float
+    duty: float
+    strike_pitch: float
+    leave_pitch: float
+    bounce: float
+    turn: float
+    arm: float
+    elbow: float
+    reach: float
+    lean: float
+    rise: float = 0.42
+    lift: float = 0.06
 
-    def leg(strike: float, side: float) -> LegCycle:
-        # Toe clearance: two peaks with about 15 mm between them [W, figure 3.10 and text].
-        return LegCycle(
-            strike,
-            duty,
-            (side * 0.055, reach),
-            clearance=((0.2, lift), (0.5, 0.02), (0.8, 0.045)),
-            pitch=(
-                (0.17, 1.17 * leave_pitch),
-                (0.5, -0.3 * -leave_pitch),
-                (0.78, 0.75 * strike_pitch),
-            ),
-            progress=((0.86, 0.925),),
-            strike_pitch=strike_pitch,
-            leave_pitch=leave_pitch,
-            flat=0.16,
-            rise=rise,
+    def gait(self, *, backward: bool = False) -> Gait:
+        """Return the gait; phase 0 is the left heel strike, the first frame a toe-off."""
+        return Gait(
+            self.duration,
+            (0.0, self.stride),
+            self._leg(0.0, 1.0),
+            self._leg(0.5, -1.0),
+            self._pelvis(),
+            self._upper_body(),
+            0.0 if backward else self.duty,
+            backward,
         )
 
-    both = duty - 0.5
-    pelvis = Pelvis(
-        # Lowest in the middle of double support, highest at midstance [P, chapter 2].
-        height=Harmonic(bounce, 0.215 + 0.5 * both, harmonic=2),
-        sway=Harmonic(0.022, 0.5 * duty),
-        surge=Harmonic(0.013, 0.44, harmonic=2),
-        heading=Harmonic(-turn, 0.0),
-        lean=Harmonic(0.8, 0.06, 3.0, harmonic=2),
-        tilt=Harmonic(4.0, 0.14),
-    )
-    upper = UpperBody(
-        chest=(Harmonic(turn + 1.0, 0.02), Harmonic(0.8, 0.1, lean, 2), Harmonic(-1.5, 0.16)),
-        head=(_STILL, Harmonic(0.6, 0.1, 2.0, 2), _STILL),
-        left_arm=(
-            Harmonic(mean=4.0),
-            Harmonic(-arm, 0.0, 3.0),
-            Harmonic(mean=9.0),
-            Harmonic(mean=-15.0),
-            Harmonic(-elbow, 0.03, 18.0 + elbow),
-        ),
-    )
-    return Gait(
-        duration,
-        (0.0, stride),
-        leg(0.0, 1.0),
-        leg(0.5, -1.0),
-        pelvis,
-        upper,
-        0.0 if backward else duty,
-        backward,
-    )
+    def _leg(self, strike: float, side: float) -> LegCycle:
+        # Toe clearance: two peaks with about 15 mm between them [W].
+        return LegCycle(
+            strike,
+            self.duty,
+            (side * 0.055, self.reach),
+            clearance=((0.2, self.lift), (0.5, 0.02), (0.8, 0.045)),
+            pitch=(
+                (0.17, 1.17 * self.leave_pitch),
+                (0.5, 0.3 * self.leave_pitch),
+                (0.78, 0.75 * self.strike_pitch),
+            ),
+            progress=((0.86, 0.925),),
+            strike_pitch=self.strike_pitch,
+            leave_pitch=self.leave_pitch,
+            flat=0.16,
+            rise=self.rise,
+        )
+
+    def _pelvis(self) -> Pelvis:
+        both = self.duty - 0.5
+        return Pelvis(
+            # Lowest in double support, highest at midstance [P].
+            height=Harmonic(self.bounce, 0.215 + 0.5 * both, harmonic=2),
+            sway=Harmonic(0.022, 0.5 * self.duty),
+            surge=Harmonic(0.013, 0.44, harmonic=2),
+            # Turned and tilted by 4 to 5 degrees to either side [M, P].
+            heading=Harmonic(-self.turn, 0.0),
+            lean=Harmonic(0.8, 0.06, 3.0, harmonic=2),
+            tilt=Harmonic(4.0, 0.14),
+        )
+
+    def _upper_body(self) -> UpperBody:
+        return UpperBody(
+            # The chest turns against the pelvis, the arms swing against the legs [M].
+            chest=(
+                Harmonic(self.turn + 1.0, 0.02),
+                Harmonic(0.8, 0.1, self.lean, 2),
+                Harmonic(-1.5, 0.16),
+            ),
+            head=(Harmonic(), Harmonic(0.6, 0.1, 2.0, 2), Harmonic()),
+            left_arm=(
+                Harmonic(mean=4.0),
+                Harmonic(-self.arm, 0.0, 3.0),
+                Harmonic(mean=9.0),
+                Harmonic(mean=-15.0),
+                Harmonic(-self.elbow, 0.03, 18.0 + self.elbow),
+            ),
+        )
 
 
 WALKS: dict[str, Gait] = {
     # 112 steps a minute, 1.31 m/s; toe-off at 62 % of the cycle [P, M].
-    "walk": _walk(
-        16 / 15,
-        1.40,
-        0.62,
+    "walk": _Walk(
+        duration=16 / 15,
+        stride=1.40,
+        duty=0.62,
         strike_pitch=20.0,
         leave_pitch=-62.0,
         bounce=0.024,
@@ -106,12 +117,12 @@ WALKS: dict[str, Gait] = {
         elbow=11.0,
         reach=0.468,
         lean=2.5,
-    ),
+    ).gait(),
     # Slower walks have shorter steps and longer double supports [K].
-    "walk-slow": _walk(
-        1.4,
-        1.05,
-        0.66,
+    "walk-slow": _Walk(
+        duration=1.4,
+        stride=1.05,
+        duty=0.66,
         strike_pitch=15.0,
         leave_pitch=-48.0,
         bounce=0.013,
@@ -121,11 +132,11 @@ WALKS: dict[str, Gait] = {
         reach=0.392,
         lean=2.0,
         lift=0.045,
-    ),
-    "walk-fast": _walk(
-        0.9,
-        1.66,
-        0.58,
+    ).gait(),
+    "walk-fast": _Walk(
+        duration=0.9,
+        stride=1.66,
+        duty=0.58,
         strike_pitch=25.0,
         leave_pitch=-64.0,
         bounce=0.0285,
@@ -134,12 +145,12 @@ WALKS: dict[str, Gait] = {
         elbow=18.0,
         reach=0.518,
         lean=4.0,
-    ),
+    ).gait(),
     # A slow walk in reverse: the ball lands first, the heel leaves last [T].
-    "walk-backward": _walk(
-        1.2,
-        0.96,
-        0.64,
+    "walk-backward": _Walk(
+        duration=1.2,
+        stride=0.96,
+        duty=0.64,
         strike_pitch=12.0,
         leave_pitch=-33.0,
         bounce=0.012,
@@ -150,6 +161,5 @@ WALKS: dict[str, Gait] = {
         lean=3.0,
         rise=0.34,
         lift=0.045,
-        backward=True,
-    ),
+    ).gait(backward=True),
 }
