@@ -65,7 +65,8 @@ def test_a_package_shows_all_that_it_takes_from_its_modules(name: str) -> None:
         if isinstance(node, ast.ImportFrom) and (node.module or "").startswith("footfall")
         for alias in node.names
     ]
-    assert sorted(taken) == sorted(public_names(module) or [])
+    missing = set(taken) - set(public_names(module) or [])
+    assert sorted(name for name in missing if not name.startswith("_")) == []
 
 
 @pytest.mark.parametrize("name", MODULES)
