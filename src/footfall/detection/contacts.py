@@ -8,7 +8,8 @@ import numpy as np
 
 from footfall.arrays import Flags, Floats
 from footfall.detection.filters import moving_mean, moving_minimum
-from footfall.detection.intervals import Interval, covers, runs, without_short_ones
+from footfall.detection.foot_contacts import foot_contacts
+from footfall.detection.intervals import Interval, covers, without_short_ones
 from footfall.detection.tracks import FootTracks, foot_tracks
 from footfall.errors import ArgumentError
 from footfall.motion import Clip
@@ -33,9 +34,6 @@ _SLOW = 0.25
 
 _SLOW_RANGE = (0.35, 2.5)
 """... but not below the first of these [m/s], and not above the second."""
-
-_NEARLY = (1.4, 1.6)
-"""Nearly low and nearly slow: multiples of the height and the speed limit."""
 
 _STRAY = 0.5
 """The ground is at most this share of the greatest height limit below its usual level."""
@@ -134,16 +132,13 @@ def track_contacts(
     speeds = np.linalg.norm(tracks.velocities, axis=-1)
     height_limits = _height_limits(heights, tracks) if height is None else np.full((2, 2), height)
     speed_limits = _speed_limits(speeds) if speed is None else np.full((2, 2), speed)
-    low, slow = heights / height_limits, speeds / speed_limits
-    intervals = [
-        without_short_ones(
-            _foot_intervals(low[:, foot], slow[:, foot], tracks),
-            min_duration,
-            tracks.duration,
-            cyclic=tracks.cyclic,
+    intervals: list[tuple[Interval, ...]] = []
+    for foot in range(2):
+        limits = height_limits[foot], speed_limits[foot]
+        found = foot_contacts(heights[:, foot], tracks.velocities[:, foot], limits, tracks)
+        intervals.append(
+            without_short_ones(found, min_duration, tracks.duration, cyclic=tracks.cyclic)
         )
-        for foot in range(2)
-    ]
     rows = np.rint(frame_times * tracks.rate).astype(np.int64) % len(heights)
     lowest = heights[rows].argmin(axis=-1)[..., np.newaxis]
     return Contacts(
@@ -187,48 +182,3 @@ def _ground(tracks: FootTracks) -> Floats:
     lowest = moving_minimum(heights, radius, cyclic=tracks.cyclic)
     smooth = moving_mean(lowest, radius // 2, cyclic=tracks.cyclic)
     return np.clip(smooth, level - _STRAY * low, np.minimum(level, level.min(axis=0)) + low)
-
-
-def _foot_intervals(heights: Floats, speeds: Floats, tracks: FootTracks) -> list[Interval]:
-    """Return when any point of one foot is in contact.
-
-    Args:
-        heights: Of its points as shares of their limits, shape (samples, points).
-        speeds: The same.
-        tracks: Whose tracks.
-    """
-    samples = len(heights)
-    turns = 3 if tracks.cyclic else 1
-    held = np.zeros(turns * samples, dtype=np.bool_)
-    for point in range(2):
-        height, speed = (np.tile(v[:, point], turns) for v in (heights, speeds))
-        for first, end in _point_runs(height, speed):
-            held[first:end] = True
-    if tracks.cyclic and held.all():
-        return [Interval(0.0, tracks.duration)]
-    edges = runs(held)
-    if tracks.cyclic:
-        edges = [(a - samples, b - samples) for a, b in edges if samples <= a < 2 * samples]
-    intervals = [((a - 0.5) / tracks.rate, (b - 0.5) / tracks.rate) for a, b in edges]
-    last = np.inf if tracks.cyclic else tracks.duration
-    return [Interval(max(start, 0.0), min(end, last)) for start, end in intervals]
-
-
-def _point_runs(height: Floats, speed: Floats) -> list[tuple[int, int]]:
-    """Return first sample, and the one after the last, of each contact of one point.
-
-    A contact needs samples that are low and slow; those that are nearly so bridge them. It
-    begins once the point is low and nearly slow, and ends once it is no longer slow: a foot
-    stops abruptly, and departs gradually.
-    """
-    caught = (height < 1.0) & (speed < 1.0)
-    kept = (height < _NEARLY[0]) & (speed < _NEARLY[1])
-    arrived = (height < 1.0) & kept
-    staying = (speed < 1.0) & kept
-    found: list[tuple[int, int]] = []
-    for first, end in runs(kept):
-        if caught[first:end].any():
-            start = first + int(arrived[first:end].argmax())
-            stop = end - int(staying[first:end][::-1].argmax())
-            found.append((start, stop))
-    return found

@@ -32,6 +32,15 @@ class Interval:
         """[s]."""
         return self.end - self.start
 
+    def later(self, seconds: float) -> Interval:
+        """Return the same stretch so much later [s]."""
+        sure = (self.start_confidence, self.end_confidence)
+        return Interval(self.start + seconds, self.end + seconds, *sure)
+
+    def joined(self, other: Interval) -> Interval:
+        """Return the stretch from the start of this to the end of the other."""
+        return Interval(self.start, other.end, self.start_confidence, other.end_confidence)
+
 
 def runs(flags: Flags) -> list[tuple[int, int]]:
     """Return first sample, and the one after the last, of each run of set flags, in order."""
@@ -56,7 +65,7 @@ def without_short_ones(
     joined: list[Interval] = []
     for interval in intervals:
         if joined and interval.start - joined[-1].end < minimum:
-            joined[-1] = _joined(joined[-1], interval)
+            joined[-1] = joined[-1].joined(interval)
         else:
             joined.append(interval)
     if cyclic and joined:
@@ -65,21 +74,8 @@ def without_short_ones(
         if gap < minimum:
             if len(joined) == 1:
                 return (Interval(0.0, duration),)
-            joined = [*joined[1:-1], _joined(last, _later(first, duration))]
+            joined = [*joined[1:-1], last.joined(first.later(duration))]
     return tuple(i for i in joined if i.duration >= minimum - 1e-9)
-
-
-def _later(interval: Interval, seconds: float) -> Interval:
-    return Interval(
-        interval.start + seconds,
-        interval.end + seconds,
-        interval.start_confidence,
-        interval.end_confidence,
-    )
-
-
-def _joined(one: Interval, other: Interval) -> Interval:
-    return Interval(one.start, other.end, one.start_confidence, other.end_confidence)
 
 
 def covers(

@@ -15,13 +15,13 @@ from footfall.arrays import Floats, Positions, Rotations
 from footfall.motion import Clip, cycle_displacement
 from footfall.skeleton import Anatomy, leg_length
 
-__all__ = ["FootTracks", "PlanarStep", "foot_tracks", "points_of_pose"]
+__all__ = ["LOW_PASS_DEVIATION", "FootTracks", "PlanarStep", "foot_tracks", "points_of_pose"]
 
 _TRACK_RATE = 100.0
 """Tracks have the first multiple of the clip's rate that is not below this [Hz]."""
 
-_CUTOFF = 8.0
-"""Half-power frequency of the zero-phase low-pass [Hz]."""
+LOW_PASS_DEVIATION = math.sqrt(math.log(2.0)) / (2.0 * math.pi * 8.0)
+"""Of the Gaussian that halves the power at 8 Hz [s]."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -179,7 +179,7 @@ def _resampled(points: Positions, step: PlanarStep, clip: Clip) -> tuple[Positio
 
 def _low_passed(points: Positions, step: PlanarStep, rate: float, *, cyclic: bool) -> Positions:
     """Return the points through a zero-phase Gaussian low-pass."""
-    deviation = math.sqrt(math.log(2.0)) / (2.0 * math.pi * _CUTOFF) * rate
+    deviation = LOW_PASS_DEVIATION * rate
     radius = min(math.ceil(3.5 * deviation), len(points) - 1)
     if radius < 1:
         return points
