@@ -33,7 +33,6 @@ __all__ = ["load_native", "load_native_supports", "save_native"]
 FORMAT = "footfall clip"
 VERSION = 1
 _ARRAYS = (
-    "header",
     "parents",
     "rest_offsets",
     "tip_offsets",
@@ -91,14 +90,14 @@ def load_native(path: Path | str) -> Clip:
     try:
         skeleton = Skeleton(
             tuple(_texts(header["names"])),
-            arrays["parents"].astype(np.int64),
-            arrays["rest_offsets"].astype(np.float64),
-            arrays["tip_offsets"].astype(np.float64),
+            arrays["parents"],
+            arrays["rest_offsets"],
+            arrays["tip_offsets"],
         )
         return Clip(
             skeleton,
-            arrays["pelvis_positions"].astype(np.float64),
-            arrays["local_rotations"].astype(np.float64),
+            arrays["pelvis_positions"],
+            arrays["local_rotations"],
             float(header["fps"]),
             bool(header["cyclic"]),
             str(header["name"]),
@@ -149,7 +148,7 @@ def _read(path: Path) -> tuple[dict[str, Any], dict[str, Any]]:
                 raise FileFormatError("is no clip of this project: it has no header", path=path)
             header: Any = json.loads(stored["header"].tobytes())
             _check_header(header, path)
-            arrays = {name: stored[name] for name in _ARRAYS[1:]}
+            arrays = {name: _checked(name, stored[name]) for name in _ARRAYS}
     except FileFormatError:
         raise
     except (
@@ -164,6 +163,14 @@ def _read(path: Path) -> tuple[dict[str, Any], dict[str, Any]]:
     ) as error:
         raise _damaged(path, error) from error
     return header, arrays
+
+
+def _checked(name: str, array: Any) -> Any:
+    """Return an array that holds numbers of the right kind."""
+    kind = np.integer if name == "parents" else np.floating
+    if not np.issubdtype(array.dtype, kind):
+        raise TypeError(f"{name} holds {array.dtype}, not {kind.__name__} numbers")
+    return array
 
 
 def _check_header(header: Any, path: Path) -> None:
