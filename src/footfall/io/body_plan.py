@@ -68,7 +68,7 @@ class BodyPlan:
     def up(self) -> Positions:
         """The direction of the trunk at rest."""
         hips = 0.5 * (self.rest[self.anatomy.left.hip] + self.rest[self.anatomy.right.hip])
-        rise = self.rest[self.trunk_path[-1]] - hips
+        rise = self.rest[self.trunk_path[-1]] + self.trunk_top - hips
         if np.linalg.norm(rise) < 0.05 * self.stature:
             knees = 0.5 * (self.rest[self.anatomy.left.knee] + self.rest[self.anatomy.right.knee])
             rise = hips - knees
@@ -88,13 +88,37 @@ class BodyPlan:
 
     @cached_property
     def trunk_path(self) -> tuple[int, ...]:
-        """Joints from the pelvis up to the neck's lower end."""
-        parts = self.anatomy.parts
-        end = self.anatomy.head
-        if end is None:
-            trunk: list[int] = np.flatnonzero(parts == BodyPart.TRUNK).tolist()
-            return self.path(0, trunk[-1]) if trunk else (0,)
-        return self.path(0, min(j for j in self.path(0, end) if parts[j] == parts[end]))
+        """Joints from the pelvis up to the last one that moves the trunk."""
+        if self.anatomy.chest is not None:
+            return self.path(0, self.anatomy.chest)
+        if self.anatomy.head is not None:
+            return self.path(0, int(self.skeleton.parents[self.neck_path[0]]))
+        trunk: list[int] = np.flatnonzero(self.anatomy.parts == BodyPart.TRUNK).tolist()
+        return self.path(0, trunk[-1]) if trunk else (0,)
+
+    @cached_property
+    def neck_path(self) -> tuple[int, ...]:
+        """Joints from the lower end of the neck up to the skull; empty without a head."""
+        if self.anatomy.head is None:
+            return ()
+        path = self.path(0, self.anatomy.head)
+        above = [joint for joint in path if self.anatomy.parts[joint] == BodyPart.HEAD]
+        return tuple(above) or path[-1:]
+
+    @cached_property
+    def trunk_top(self) -> Positions:
+        """Where the neck leaves the trunk, from the last joint of the trunk at rest [m]."""
+        end = self.rest[self.trunk_path[-1]]
+        neck = self.rest[self.neck_path[0]] - end if self.neck_path else np.zeros(3)
+        shoulders = [self.rest[arm.shoulder] for arm in self.anatomy.arms if arm is not None]
+        if len(shoulders) < 2:
+            return neck
+        hips = 0.5 * (self.rest[self.anatomy.left.hip] + self.rest[self.anatomy.right.hip])
+        middle = 0.5 * (shoulders[0] + shoulders[1])
+        rise = unit(middle - hips)
+        height = float((middle - end) @ rise)
+        # Some necks begin between the shoulder blades: the trunk ends at the shoulders then.
+        return neck if float(neck @ rise) >= 0.7 * height else 1.1 * height * rise
 
     def path(self, start: int, end: int) -> tuple[int, ...]:
         """Return the joints from `start` down to its descendant `end`, both included."""

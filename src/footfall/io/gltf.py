@@ -11,10 +11,11 @@ from footfall.arrays import Positions
 from footfall.errors import SkeletonError
 from footfall.geometry import continuous
 from footfall.io.atomic import write_atomically
+from footfall.io.flat_toes import flat_toe_turns
 from footfall.io.gltf_buffers import ARRAY_BUFFER, ELEMENT_ARRAY_BUFFER, BufferBuilder, glb_bytes
 from footfall.io.mannequin import Mannequin, Tone, mannequin
 from footfall.motion import Clip
-from footfall.skeleton import Anatomy, Skeleton, find_anatomy
+from footfall.skeleton import Skeleton, find_anatomy
 
 __all__ = ["save_gltf"]
 
@@ -46,7 +47,7 @@ def save_gltf(clip: Clip, path: Path, *, supports: str | None = None) -> None:
     """
     buffers = BufferBuilder()
     skeleton = clip.skeleton
-    surface = mannequin(skeleton, _anatomy(skeleton))
+    surface = _mannequin(clip)
     document: dict[str, Any] = {
         "asset": {"version": "2.0", "generator": "footfall"},
         "scene": 0,
@@ -66,12 +67,13 @@ def save_gltf(clip: Clip, path: Path, *, supports: str | None = None) -> None:
     write_atomically(path, glb_bytes(document, buffers.data))
 
 
-def _anatomy(skeleton: Skeleton) -> Anatomy | None:
-    """Return what the joints are; None for a body without two legs: it is written all the same."""
+def _mannequin(clip: Clip) -> Mannequin:
+    """Return the body's mannequin; plain bones for one without two legs."""
     try:
-        return find_anatomy(skeleton)
+        anatomy = find_anatomy(clip.skeleton)
     except SkeletonError:
-        return None
+        return mannequin(clip.skeleton, None)
+    return mannequin(clip.skeleton, anatomy, flat_toe_turns(anatomy, *clip.world_poses()))
 
 
 def _joint_nodes(clip: Clip) -> list[dict[str, Any]]:

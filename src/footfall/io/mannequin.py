@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from footfall.arrays import Indices, Positions
+from footfall.arrays import Indices, Positions, Rotations
 from footfall.io.body_plan import BodyPlan, Limb, Tone
 from footfall.io.lofts import Loft, capsule, loft_surface
 from footfall.io.mannequin_limbs import arm_limbs, leg_limbs
@@ -42,18 +42,23 @@ class Mannequin:
     """The `Tone` of each triangle, shape (triangles,)."""
 
 
-def mannequin(skeleton: Skeleton, anatomy: Anatomy | None) -> Mannequin:
+def mannequin(
+    skeleton: Skeleton, anatomy: Anatomy | None, toe_turns: Rotations | None = None
+) -> Mannequin:
     """Return the mannequin of a skeleton.
 
     Args:
         skeleton: The body.
         anatomy: What its joints are, or None where that is unknown: then each bone becomes a
             plain capsule.
+        toe_turns: How the left and the right toes are turned on a foot that stands flat, shape
+            (2, 4): see `flat_toe_turns`. None: as at rest.
     """
     limbs = _plain_limbs(skeleton)
     if anatomy is not None:
         plan = BodyPlan(skeleton, anatomy)
-        limbs = (*trunk_limbs(plan), *head_limbs(plan), *leg_limbs(plan), *arm_limbs(plan))
+        turns = np.tile([1.0, 0.0, 0.0, 0.0], (2, 1)) if toe_turns is None else toe_turns
+        limbs = (*trunk_limbs(plan), *head_limbs(plan), *leg_limbs(plan, turns), *arm_limbs(plan))
     return _joined(limbs)
 
 

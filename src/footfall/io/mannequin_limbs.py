@@ -6,7 +6,8 @@ from itertools import pairwise
 
 import numpy as np
 
-from footfall.arrays import Positions
+from footfall.arrays import Positions, Rotations
+from footfall.geometry import conjugate, rotate
 from footfall.io.body_plan import BodyPlan, Limb, Tone, across_axis, unit
 from footfall.io.lofts import Loft, capsule
 from footfall.skeleton import BodyPart, Leg
@@ -18,18 +19,19 @@ _HIP, _KNEE, _ANKLE = 0.047, 0.031, 0.021
 _CLAVICLE, _SHOULDER, _ELBOW, _WRIST, _FINGER = 0.027, 0.028, 0.021, 0.015, 0.0052
 
 
-def leg_limbs(plan: BodyPlan) -> tuple[Limb, ...]:
-    """Return thighs, shanks, feet and toes."""
+def leg_limbs(plan: BodyPlan, toe_turns: Rotations) -> tuple[Limb, ...]:
+    """Return thighs, shanks, feet and toes; `toe_turns` as in `mannequin`."""
     limbs: list[Limb] = []
-    for leg, tone, foot_tone in zip(
+    for leg, tone, foot_tone, toe_turn in zip(
         plan.anatomy.legs,
         (Tone.LEFT, Tone.RIGHT),
         (Tone.LEFT_FOOT, Tone.RIGHT_FOOT),
+        toe_turns,
         strict=True,
     ):
         limbs += _tapered(plan, plan.path(leg.hip, leg.knee), tone, (_HIP, _KNEE))
         limbs += _tapered(plan, plan.path(leg.knee, leg.ankle), tone, (_KNEE, _ANKLE))
-        limbs += _foot(plan, leg, foot_tone)
+        limbs += _foot(plan, leg, foot_tone, toe_turn)
     return tuple(limbs)
 
 
@@ -49,7 +51,7 @@ def _tapered(
     ]
 
 
-def _foot(plan: BodyPlan, leg: Leg, tone: Tone) -> list[Limb]:
+def _foot(plan: BodyPlan, leg: Leg, tone: Tone, toe_turn: Rotations) -> list[Limb]:
     """Return the foot from heel to ball, and the toes where they bend."""
     size = plan.stature
     bends = leg.toe.joint != leg.ankle
@@ -68,7 +70,8 @@ def _foot(plan: BodyPlan, leg: Leg, tone: Tone) -> list[Limb]:
     if bends:
         end = 0.02 * size + tip
         drop = float(np.clip(sole + ball @ shank, 0.004 * size, 0.03 * size))
-        limbs.append(Limb(leg.toe.joint, tone, _toes(frame, end, drop, size)))
+        toe_frame = (rotate(conjugate(toe_turn), forward), rotate(conjugate(toe_turn), shank))
+        limbs.append(Limb(leg.toe.joint, tone, _toes(toe_frame, end, drop, size)))
     return limbs
 
 

@@ -31,32 +31,29 @@ def trunk_limbs(plan: BodyPlan) -> tuple[Limb, ...]:
     )
     limbs = [Limb(0, Tone.BODY, pelvis, 18)]
     path = plan.trunk_path
-    lengths = [float(np.linalg.norm(plan.skeleton.rest_offsets[joint])) for joint in path[1:]]
-    total = sum(lengths)
-    below = 0.0
-    for (joint, child), length in zip(pairwise(path), lengths, strict=True):
-        if plan.visible(plan.skeleton.rest_offsets[child]):
-            span = (below / total, (below + length) / total)
-            limbs.append(Limb(joint, Tone.BODY, _slice(plan, child, span), 18))
-        below += length
+    bones = [plan.skeleton.rest_offsets[joint] for joint in path[1:]] + [plan.trunk_top]
+    ends = np.concatenate([[0.0], np.cumsum([float(np.linalg.norm(bone)) for bone in bones])])
+    heights = ends / max(float(ends[-1]), 1e-9)
+    for joint, bone, span in zip(path, bones, pairwise(heights.tolist()), strict=True):
+        if plan.visible(bone):
+            limbs.append(Limb(joint, Tone.BODY, _slice(plan, bone, span), 18))
     return tuple(limbs)
 
 
-def _slice(plan: BodyPlan, child: int, span: tuple[float, float]) -> Loft:
-    """Return the trunk between two heights, 0 at the pelvis and 1 at the neck, domed."""
-    offset = plan.skeleton.rest_offsets[child]
-    axis = unit(offset)
+def _slice(plan: BodyPlan, bone: Positions, span: tuple[float, float]) -> Loft:
+    """Return the trunk along a bone, between two heights of 0 at the pelvis and 1 at the neck."""
+    length = float(np.linalg.norm(bone))
+    axis = unit(bone)
     across = across_axis(plan.left, axis)
     shares = np.linspace(0.0, 1.0, 4)
-    heights = span[0] + shares * (span[1] - span[0])
-    half_width, half_depth = _trunk_profile(heights, plan.stature)
-    dome = 0.5 * np.sqrt(half_width * half_depth)
-    steps = (-1.0, -0.85, -0.5)
+    half_width, half_depth = _trunk_profile(span[0] + shares * (span[1] - span[0]), plan.stature)
+    dome = 0.3 * np.sqrt(half_width * half_depth)
+    steps = (1.0, 0.85, 0.5)
     shrink = [0.0, 0.53, 0.87]
     along = [
-        *(step * dome[0] for step in steps),
-        *(shares * float(np.linalg.norm(offset))),
-        *(float(np.linalg.norm(offset)) - step * dome[-1] for step in reversed(steps)),
+        *(-step * dome[0] for step in steps),
+        *(shares * length),
+        *(length + step * dome[-1] for step in reversed(steps)),
     ]
     scale = np.array([*shrink, 1.0, 1.0, 1.0, 1.0, *reversed(shrink)])
     which = [0, 0, 0, 0, 1, 2, 3, 3, 3, 3]
@@ -77,9 +74,9 @@ def head_limbs(plan: BodyPlan) -> tuple[Limb, ...]:
     head = plan.anatomy.head
     if head is None:
         return ()
-    size, base = plan.stature, plan.trunk_path[-1]
+    size = plan.stature
     limbs: list[Limb] = []
-    for joint, child in pairwise(plan.path(base, head)):
+    for joint, child in pairwise(plan.neck_path):
         offset = plan.skeleton.rest_offsets[child]
         if plan.visible(offset):
             neck = capsule(np.zeros(3), offset, 0.032 * size, 0.028 * size)

@@ -1,9 +1,10 @@
 """Pictures of motions and schedules, and the demo page."""
 
 from footfall.view.foot_traces import foot_traces_svg
+from footfall.view.lanes import ActionLane, CueMark, LanePhase, Timeline
 from footfall.view.page import DemoPage, write_demo_page
 from footfall.view.strip import strip_svg
-from footfall.view.timeline import ActionLane, CueMark, LanePhase, Timeline, timeline_svg
+from footfall.view.timeline import timeline_svg
 
 __all__ = [
     "ActionLane",

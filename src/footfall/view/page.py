@@ -18,11 +18,15 @@ from footfall.io.atomic import write_atomically
 from footfall.report import METHODS, GroupedSpread, MethodReport, Spread, Trace
 from footfall.skeleton import Skeleton
 from footfall.view.foot_traces import foot_traces_svg
+from footfall.view.lanes import Timeline
 from footfall.view.page_data import player_json
 from footfall.view.strip import strip_svg
-from footfall.view.timeline import Timeline, timeline_svg
+from footfall.view.timeline import timeline_svg
 
 __all__ = ["DemoPage", "write_demo_page"]
+
+_SCRIPTS = ("takes.js", "drawing.js", "figure.js", "player.js")
+"""Joined into one module, in the order in which they use each other."""
 
 _METHOD_NAMES = {
     "cross-fade": "Plain cross-fade",
@@ -89,7 +93,7 @@ def demo_page_html(page: DemoPage) -> str:
         strip=strip_svg(page.takes, page.skeleton.parents),
         table=_table(page.reports),
         data=player_json(page.takes, page.skeleton, page.timeline),
-        script=_resource("player.js"),
+        script="\n".join(_resource(name) for name in _SCRIPTS),
     )
 
 

@@ -11,11 +11,12 @@ import numpy as np
 import numpy.typing as npt
 
 from footfall.arrays import Indices
+from footfall.io.flat_toes import flat_toe_turns
 from footfall.io.mannequin import mannequin
 from footfall.report import RATE, Trace, Track
 from footfall.skeleton import Skeleton
+from footfall.view.lanes import Timeline
 from footfall.view.plants import Plant, plants
-from footfall.view.timeline import Timeline
 
 __all__ = ["player_json"]
 
@@ -28,7 +29,9 @@ def player_json(takes: Sequence[tuple[str, Trace]], skeleton: Skeleton, timeline
 
     The text holds no ``<``, so that it may stand inside a script element.
     """
-    body = mannequin(skeleton, takes[0][1].anatomy)
+    last = takes[-1][1]
+    turns = flat_toe_turns(last.anatomy, last.rotations, last.positions)
+    body = mannequin(skeleton, last.anatomy, turns)
     joints, vertex_joints = np.unique(body.joints, return_inverse=True)
     document = {
         "rate": RATE,

@@ -3,16 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
-from footfall.arrays import Floats
-from footfall.errors import ArgumentError
+from footfall.view.lanes import ActionLane, CueMark, LanePhase, Timeline
 from footfall.view.palette import SUPPORT_COLORS, SUPPORT_NAMES, readable_symbol
 from footfall.view.svg import Picture, points_text
 
-__all__ = ["ActionLane", "CueMark", "LanePhase", "Timeline", "timeline_svg"]
+__all__ = ["timeline_svg"]
 
 WIDTH = 1200.0
 LEFT, RIGHT = 132.0, 24.0
@@ -26,84 +24,6 @@ _ON_COLOR = "#10151a"
 
 HELD = 1.2
 """A phase that takes this many times its own seconds or more is drawn as held."""
-
-
-@dataclass(frozen=True, slots=True)
-class LanePhase:
-    """A support phase as it was played."""
-
-    symbol: str
-    """One of ``R L D -``."""
-
-    start: float
-    """Clock time at which it began [s]."""
-
-    end: float
-    """Clock time at which it ended [s]."""
-
-    stretch: float = 1.0
-    """Clock seconds over clip seconds: above one it was held."""
-
-
-@dataclass(frozen=True, slots=True)
-class CueMark:
-    """A command to start or stop an action, and when that came about."""
-
-    kind: str
-    """``"start"`` or ``"stop"``."""
-
-    commanded: float
-    """Clock time of the command [s]."""
-
-    actual: float | None = None
-    """Clock time at which it was followed [s]; None if never."""
-
-
-@dataclass(frozen=True, eq=False)
-class ActionLane:
-    """What one action played."""
-
-    name: str
-    phases: tuple[LanePhase, ...]
-    """In order of time."""
-    weights: Floats
-    """Its share in each frame, 0 to 1, shape (frames,)."""
-    cues: tuple[CueMark, ...] = ()
-
-
-@dataclass(frozen=True, eq=False)
-class Timeline:
-    """A schedule in clock time.
-
-    Raises:
-        ArgumentError: If a lane's weights are not one a frame, or a symbol is unknown.
-    """
-
-    fps: float
-    """Frames per second of weights and supports."""
-
-    supports: str
-    """What the result stands on: one of ``R L D -`` a frame."""
-
-    lanes: tuple[ActionLane, ...]
-    """The action of the highest priority first."""
-
-    def __post_init__(self) -> None:
-        unknown = set(self.supports) - set(SUPPORT_COLORS)
-        for lane in self.lanes:
-            unknown |= {phase.symbol for phase in lane.phases} - set(SUPPORT_COLORS)
-            if lane.weights.shape != (len(self.supports),):
-                raise ArgumentError(
-                    f"the weights of {lane.name!r} have shape {lane.weights.shape}; "
-                    f"{len(self.supports)} frames need ({len(self.supports)},)"
-                )
-        if unknown:
-            raise ArgumentError(f"no support is written {sorted(unknown)}; there are R, L, D and -")
-
-    @property
-    def duration(self) -> float:
-        """How long it is [s]."""
-        return len(self.supports) / self.fps
 
 
 def timeline_svg(timeline: Timeline) -> str:
