@@ -19,7 +19,7 @@ import numpy as np
 
 from footfall.arrays import Floats, Positions, Rotations, Seconds
 from footfall.geometry import from_euler, rotate
-from footfall.samples.body import BALL_HEIGHT, HEEL_FROM_ANKLE, TOE_FROM_ANKLE
+from footfall.samples.body import HEEL_FROM_ANKLE, TOE_FROM_ANKLE
 from footfall.samples.curves import keyed, quintic, waypoints
 
 __all__ = ["FootPath", "Stance", "Swing", "foot_path", "foot_rotations"]
@@ -74,7 +74,7 @@ class Swing:
     """How a foot travels from one stance to the next; times are shares of the swing."""
 
     clearance: tuple[tuple[float, float], ...]
-    """(share, height of the ball over its standing height [m])."""
+    """(share, height over the ground of the sole's lower end, ball or heel [m])."""
 
     pitch: tuple[tuple[float, float], ...] = ()
     """(share, pitch [rad])."""
@@ -139,15 +139,20 @@ class _Edge:
     rate: float = field(default=0.0)
 
 
+def _lowest_on_ground(pitch: Floats) -> Floats:
+    """Return how high the ball is when the foot stands pitched on its heel or its ball [m]."""
+    lifted = np.maximum(pitch, 0.0)
+    return _ARM[1] * np.cos(lifted) + _ARM[2] * np.sin(lifted)
+
+
 def _rolled(pitch: Floats, stance: Stance) -> Positions:
     """Return where the ball is when the foot is pitched on its heel; fixed if it is not."""
     lifted = np.maximum(pitch, 0.0)
-    height = _ARM[1] * np.cos(lifted) + _ARM[2] * np.sin(lifted)
     ahead = _ARM[2] * (np.cos(lifted) - 1.0) - _ARM[1] * np.sin(lifted)
     return np.stack(
         [
             stance.ball[0] + ahead * np.sin(stance.heading),
-            height,
+            _lowest_on_ground(pitch),
             stance.ball[1] + ahead * np.cos(stance.heading),
         ],
         axis=-1,
@@ -191,25 +196,30 @@ def _swinging(times: Seconds, one: Stance, other: Stance, swing: Swing) -> tuple
     off, on = _edge(one, leaving=True), _edge(other, leaving=False)
 
     def through(
-        first: float, inner: Sequence[tuple[float, float]], last: float, slopes: tuple[float, float]
+        first: float,
+        inner: Sequence[tuple[float, float]],
+        last: float,
+        slopes: tuple[float, float],
+        at: Seconds,
     ) -> Floats:
         within = [(start + share * (end - start), value) for share, value in inner]
-        return waypoints(times, [(start, first), *within, (end, last)], slopes)
+        return waypoints(at, [(start, first), *within, (end, last)], slopes)
 
+    pitch = through(off.pitch, swing.pitch, on.pitch, (off.rate, on.rate), times)
+    nodes = np.array([start + share * (end - start) for share, _ in swing.clearance])
+    pitched = through(off.pitch, swing.pitch, on.pitch, (off.rate, on.rate), nodes)
+    heights = _lowest_on_ground(pitched) + np.array([height for _, height in swing.clearance])
     columns = (
         [(share, x) for share, x, _ in swing.path],
-        [(share, BALL_HEIGHT + height) for share, height in swing.clearance],
+        [(share, height) for (share, _), height in zip(swing.clearance, heights, strict=True)],
         [(share, z) for share, _, z in swing.path],
     )
     balls = [
-        through(
-            off.ball[axis], columns[axis], on.ball[axis], (off.velocity[axis], on.velocity[axis])
-        )
-        for axis in range(3)
+        through(off.ball[i], columns[i], on.ball[i], (off.velocity[i], on.velocity[i]), times)
+        for i in range(3)
     ]
-    pitch = through(off.pitch, swing.pitch, on.pitch, (off.rate, on.rate))
-    heading = through(one.heading, (), other.heading, (0.0, 0.0))
+    heading = through(one.heading, (), other.heading, (0.0, 0.0), times)
     bent = (max(-off.pitch, 0.0), max(-on.pitch, 0.0))
     rates = (-off.rate if off.pitch < 0.0 else 0.0, -on.rate if on.pitch < 0.0 else 0.0)
-    bend = through(bent[0], ((_TOE_RELEASE, 0.15 * bent[0]),), bent[1], rates)
+    bend = through(bent[0], ((_TOE_RELEASE, 0.15 * bent[0]),), bent[1], rates, times)
     return np.stack(balls, axis=-1), np.stack([heading, pitch, bend], axis=-1)

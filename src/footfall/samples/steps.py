@@ -64,7 +64,7 @@ def step(
 def stride(*, height: float = 0.045) -> Swing:
     """Return a walking foot's swing."""
     return Swing(
-        ((0.2, height), (0.5, 0.45 * height), (0.8, height)),
+        ((0.2, height), (0.5, 0.45 * height), (0.8, 0.025)),
         tuple(
             (share, math.radians(pitch))
             for share, pitch in ((0.17, -70.0), (0.5, -18.0), (0.78, 15.0))

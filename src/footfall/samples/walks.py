@@ -53,12 +53,12 @@ class _Walk:
         )
 
     def _leg(self, strike: float, side: float) -> LegCycle:
-        # Toe clearance: two peaks with about 15 mm between them [W].
+        # The toes pass 1 to 2 cm over the ground in the middle of the swing [W].
         return LegCycle(
             strike,
             self.duty,
             (side * 0.055, self.reach),
-            clearance=((0.2, self.lift), (0.5, 0.02), (0.8, 0.045)),
+            clearance=((0.2, self.lift), (0.5, 0.02), (0.8, 0.025)),
             pitch=(
                 (0.17, 1.17 * self.leave_pitch),
                 (0.5, 0.3 * self.leave_pitch),
