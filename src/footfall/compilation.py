@@ -18,7 +18,7 @@ from typing import Any, TypeVar, cast
 import numba  # pyright: ignore[reportMissingTypeStubs]
 from numba.core import config as numba_config  # pyright: ignore[reportMissingTypeStubs]
 
-__all__ = ["kernel"]
+__all__ = ["inner_kernel", "kernel"]
 
 Function = TypeVar("Function", bound=Callable[..., Any])
 
@@ -55,4 +55,20 @@ def kernel(function: Function) -> Function:
     It keeps its Python signature, so that callers are type-checked as usual.
     """
     compiled: Any = numba.njit(cache=True, nogil=True, error_model="numpy")(function)  # pyright: ignore[reportUnknownMemberType]
+    return cast(Function, compiled)
+
+
+def inner_kernel(function: Function) -> Function:
+    """Compile a function that only other kernels call.
+
+    As `kernel`, but without the entry from Python, which for arguments of many arrays takes
+    longer to compile than the function itself.
+    """
+    compiled: Any = numba.njit(  # pyright: ignore[reportUnknownMemberType]
+        cache=True,
+        nogil=True,
+        error_model="numpy",
+        no_cpython_wrapper=True,
+        no_cfunc_wrapper=True,
+    )(function)
     return cast(Function, compiled)

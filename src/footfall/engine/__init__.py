@@ -1,1 +1,19 @@
-"""The stages in order."""
+"""The stages in order; read `footfall.engine.pipeline` first."""
+
+from footfall.engine.character import Character, Started, Waiting
+from footfall.engine.crowd import Crowd
+from footfall.engine.library import Action, MotionLibrary
+from footfall.engine.recording import Recorder, Recording
+from footfall.engine.state import Frame
+
+__all__ = [
+    "Action",
+    "Character",
+    "Crowd",
+    "Frame",
+    "MotionLibrary",
+    "Recorder",
+    "Recording",
+    "Started",
+    "Waiting",
+]

@@ -6,7 +6,7 @@ advance is cut wherever a slot ends, so that a long frame and two short ones agr
 
 from __future__ import annotations
 
-from footfall.compilation import kernel
+from footfall.compilation import inner_kernel
 from footfall.engine.shelf import Shelf, support_at
 from footfall.engine.slots import (
     begin_leaving,
@@ -30,7 +30,7 @@ SAME_MOMENT = 1e-9
 """Clock times closer than this are one moment [s]."""
 
 
-@kernel
+@inner_kernel
 def pass_time(shelf: Shelf, me: Character, rules: Rules, dt: float) -> None:
     """Let `dt` seconds pass on one character's clocks."""
     end = me.clock + dt
@@ -59,7 +59,7 @@ def pass_time(shelf: Shelf, me: Character, rules: Rules, dt: float) -> None:
     _settle(shelf, me, rules)
 
 
-@kernel
+@inner_kernel
 def _weights_move(me: Character) -> bool:
     for seat in range(SEATS):
         fading = me.fade_progress[seat, 0] < 1.0 or me.fade_progress[seat, 1] < 1.0
@@ -68,7 +68,7 @@ def _weights_move(me: Character) -> bool:
     return False
 
 
-@kernel
+@inner_kernel
 def _run_clips(shelf: Shelf, me: Character, step: float, slot_ends: bool) -> None:
     """Advance every clip: warped where it is synchronized, else at its own speed."""
     for seat in range(SEATS):
@@ -102,7 +102,7 @@ def _run_clips(shelf: Shelf, me: Character, step: float, slot_ends: bool) -> Non
         me.clip_time[seat] = clip_time
 
 
-@kernel
+@inner_kernel
 def _run_fades(me: Character, step: float) -> None:
     """Advance every fade; leg weights wait while both feet carry, or none (S-27)."""
     support = me.results[0]
@@ -122,7 +122,7 @@ def _run_fades(me: Character, step: float) -> None:
             me.fade_elapsed[seat, group] += step
 
 
-@kernel
+@inner_kernel
 def _settle(shelf: Shelf, me: Character, rules: Rules) -> None:
     """Let go what has faded out beside the schedule, and say what carries the body."""
     standing = True
@@ -140,7 +140,7 @@ def _settle(shelf: Shelf, me: Character, rules: Rules) -> None:
     me.support = _present_support(shelf, me)
 
 
-@kernel
+@inner_kernel
 def _present_support(shelf: Shelf, me: Character) -> int:
     """Return the combined support, or without synchronization that of the heaviest action."""
     if me.synchronized:

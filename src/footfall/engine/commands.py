@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy.typing as npt
 
-from footfall.compilation import kernel
+from footfall.compilation import inner_kernel, kernel
 from footfall.engine.shelf import Shelf
 from footfall.engine.slots import begin_leaving, enter_action
 from footfall.engine.state import EMPTY, RUNNING, SEATS, WAITING, Character
@@ -66,7 +66,7 @@ def start_row(
     return WAITS
 
 
-@kernel
+@inner_kernel
 def _rise_again(shelf: Shelf, me: Character, seat: int) -> None:
     asked = shelf.entries[me.action[seat]].fade_in
     me.status[seat] = RUNNING

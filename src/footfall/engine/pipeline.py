@@ -12,7 +12,7 @@ from typing import Any
 import numpy.typing as npt
 
 from footfall.arrays import Positions, Rotations
-from footfall.compilation import kernel
+from footfall.compilation import inner_kernel, kernel
 from footfall.engine.clock import pass_time
 from footfall.engine.placing import keep_footprints, place_body, write_world
 from footfall.engine.pose import blend_poses, locate_feet, move_root
@@ -27,7 +27,7 @@ LONGEST_STEP = 1.0 / 30.0
 """Longest time between two poses [s]; a longer advance is cut into equal steps."""
 
 
-@kernel
+@inner_kernel
 def advance_row(
     shelf: Shelf, rig: Rig, me: Character, work: Workspace, rules: Rules, dt: float
 ) -> None:

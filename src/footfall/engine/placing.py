@@ -6,7 +6,7 @@ from footfall.adaptation.footprints import GRIP_TIME, hold_foot, release_foot, s
 from footfall.adaptation.pelvis import FALL_SPEED, RISE_SPEED, needed_drop
 from footfall.arrays import Positions, Rotations
 from footfall.blending.root import mix_point
-from footfall.compilation import kernel
+from footfall.compilation import inner_kernel
 from footfall.engine.pose import carries
 from footfall.engine.shelf import Shelf
 from footfall.engine.state import Character, Workspace
@@ -16,7 +16,7 @@ from footfall.skeleton.normalized import Rig, place_chain, reach_ankle
 __all__ = ["keep_footprints", "place_body", "write_world"]
 
 
-@kernel
+@inner_kernel
 def keep_footprints(rig: Rig, me: Character, dt: float) -> None:
     """Hold the carrying feet where they are, let go of the others (stage 7)."""
     root = me.root
@@ -46,7 +46,7 @@ def keep_footprints(rig: Rig, me: Character, dt: float) -> None:
             release_foot(offset, velocity, min(heel, toe), dt)
 
 
-@kernel
+@inner_kernel
 def _grip(me: Character, side: int) -> float:
     """Return how firmly a carrying foot is held: less where its span begins or ends."""
     grip = min(1.0, me.planted_time[side] / GRIP_TIME)
@@ -56,7 +56,7 @@ def _grip(me: Character, side: int) -> float:
     return max(grip, 0.0)
 
 
-@kernel
+@inner_kernel
 def place_body(shelf: Shelf, rig: Rig, me: Character, work: Workspace, dt: float) -> None:
     """Give the pose this body's lengths, its feet their footprints (stage 8)."""
     leg = rig.leg_length
@@ -90,7 +90,7 @@ def place_body(shelf: Shelf, rig: Rig, me: Character, work: Workspace, dt: float
         )
 
 
-@kernel
+@inner_kernel
 def _offset_in_root(me: Character, side: int) -> tuple[float, float, float]:
     """Return how far a footprint moves a foot, seen from the root [m]."""
     offset = me.foot_offset[side]
@@ -98,7 +98,7 @@ def _offset_in_root(me: Character, side: int) -> tuple[float, float, float]:
     return x, offset[1], z
 
 
-@kernel
+@inner_kernel
 def write_world(
     shelf: Shelf,
     me: Character,

@@ -5,7 +5,7 @@ from __future__ import annotations
 from footfall.adaptation.footprints import toe_share
 from footfall.blending.poses import add_pose, clear_pose, finish_pose
 from footfall.blending.root import correct_displacement, foot_slide
-from footfall.compilation import kernel
+from footfall.compilation import inner_kernel
 from footfall.engine.shelf import Shelf, key_at, read_points, travel
 from footfall.engine.state import RUNNING, SEATS, Character, Workspace
 from footfall.geometry import quaternions, transforms
@@ -20,13 +20,13 @@ LEFT_FOOT = int(Support.LEFT) & ~int(Support.RIGHT)
 RIGHT_FOOT = int(Support.RIGHT) & ~int(Support.LEFT)
 
 
-@kernel
+@inner_kernel
 def carries(support: int, side: int) -> bool:
     """Return whether a foot, 0 left or 1 right, is among those that carry."""
     return (support & (LEFT_FOOT if side == 0 else RIGHT_FOOT)) != 0
 
 
-@kernel
+@inner_kernel
 def blend_poses(shelf: Shelf, rig: Rig, me: Character, work: Workspace) -> None:
     """Sample every action and the neutral motion, and blend them by body part (stage 4)."""
     clear_pose(work.turned, me.effectors)
@@ -54,7 +54,7 @@ def blend_poses(shelf: Shelf, rig: Rig, me: Character, work: Workspace) -> None:
     finish_pose(work.turned)
 
 
-@kernel
+@inner_kernel
 def locate_feet(shelf: Shelf, me: Character, work: Workspace) -> None:
     """Find heel and toe of the blended feet, and which of them carries (stage 5).
 
@@ -79,7 +79,7 @@ def locate_feet(shelf: Shelf, me: Character, work: Workspace) -> None:
         me.toe_shares[side] = toe_share(me.heights[side, 0], me.heights[side, 1])
 
 
-@kernel
+@inner_kernel
 def move_root(shelf: Shelf, rig: Rig, me: Character) -> None:
     """Move the root as the motions do, corrected so that the carrying feet stay (stage 6)."""
     step_x, step_z, turn = 0.0, 0.0, 0.0
@@ -119,7 +119,7 @@ def move_root(shelf: Shelf, rig: Rig, me: Character) -> None:
                 me.blended_points[side, point, axis] = me.points[side, point, axis]
 
 
-@kernel
+@inner_kernel
 def _corrected(me: Character, step_x: float, step_z: float, turn: float) -> tuple[float, float]:
     """Return the displacement that suits the carrying feet; as it was where none carries."""
     x, z, feet = 0.0, 0.0, 0

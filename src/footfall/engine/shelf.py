@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from footfall.arrays import Floats, Positions, Seconds, SmallFloats
-from footfall.compilation import kernel
+from footfall.compilation import inner_kernel
 from footfall.geometry import quaternions, transforms
 from footfall.skeleton import BodyPart
 from footfall.sync.tables import SequenceTable
@@ -111,7 +111,7 @@ class Shelf(NamedTuple):
     """How many joints a pose has."""
 
 
-@kernel
+@inner_kernel
 def phase_start(entry: Entry, phase_starts: Seconds, phase: int) -> float:
     """Return the clip time [s] at which a phase of an action begins, cycles counted on."""
     if not entry.cyclic:
@@ -123,13 +123,13 @@ def phase_start(entry: Entry, phase_starts: Seconds, phase: int) -> float:
     return cycles * entry.duration + phase_starts[entry.phase_first + within]
 
 
-@kernel
+@inner_kernel
 def phase_end(entry: Entry, phase_starts: Seconds, phase: int) -> float:
     """Return the clip time [s] at which a phase of an action ends, cycles counted on."""
     return phase_start(entry, phase_starts, phase + 1)
 
 
-@kernel
+@inner_kernel
 def key_at(entry: Entry, clip_time: float) -> tuple[int, float, int]:
     """Return the frame before a clip time, how far the next one is [0, 1), and the cycle."""
     cycle = 0
@@ -146,7 +146,7 @@ def key_at(entry: Entry, clip_time: float) -> tuple[int, float, int]:
     return entry.first_frame + frame, fraction, cycle
 
 
-@kernel
+@inner_kernel
 def _root_at(roots: Floats, frame: int, fraction: float) -> tuple[float, float, float]:
     after = frame + 1 if fraction > 0.0 else frame
     one, other = roots[frame], roots[after]
@@ -157,7 +157,7 @@ def _root_at(roots: Floats, frame: int, fraction: float) -> tuple[float, float, 
     )
 
 
-@kernel
+@inner_kernel
 def travel(shelf: Shelf, action: int, before: float, after: float) -> tuple[float, float, float]:
     """Return where the root of a clip is at one time as seen from where it was at another.
 
@@ -187,7 +187,7 @@ def travel(shelf: Shelf, action: int, before: float, after: float) -> tuple[floa
     return transforms.relative(x, z, heading, next_x, next_z, next_heading)
 
 
-@kernel
+@inner_kernel
 def read_points(shelf: Shelf, frame: int, fraction: float, out: Positions) -> None:
     """Write heel and toe of each foot, relative to the root, in leg lengths, (2, 2, 3)."""
     keys = shelf.keys
@@ -217,7 +217,7 @@ def read_points(shelf: Shelf, frame: int, fraction: float, out: Positions) -> No
                 out[side, point, i] += one + fraction * (keys[after, place + i] - one)
 
 
-@kernel
+@inner_kernel
 def support_at(shelf: Shelf, action: int, clip_time: float) -> int:
     """Return the support of a clip by itself at a clip time [s], past the end too."""
     entry = shelf.entries[action]

@@ -5,7 +5,7 @@ Stages 1 to 3 of the pipeline at the moments where something changes.
 
 from __future__ import annotations
 
-from footfall.compilation import kernel
+from footfall.compilation import inner_kernel
 from footfall.engine.shelf import Shelf, key_at, phase_end, phase_start, read_points
 from footfall.engine.state import EMPTY, LEAVING, RUNNING, SEATS, WAITING, Character
 from footfall.skeleton import BodyPart
@@ -42,7 +42,7 @@ LAST_SLOT = 0.1
 """How long a slot lasts in which every action has ended [s]."""
 
 
-@kernel
+@inner_kernel
 def window_of(me: Character) -> Window:
     """Return the synchronizer's window on one character, without a copy."""
     return Window(
@@ -59,7 +59,7 @@ def window_of(me: Character) -> Window:
     )
 
 
-@kernel
+@inner_kernel
 def update_weights(me: Character) -> None:
     """Work out every weight from priorities and levels (section 3, figure 2)."""
     for group in range(2):
@@ -79,7 +79,7 @@ def update_weights(me: Character) -> None:
         me.weight[seat] = me.weights[seat, LEGS]
 
 
-@kernel
+@inner_kernel
 def begin_leaving(shelf: Shelf, me: Character, seat: int) -> None:
     """Begin to fade an action out (t3), from whatever level it has."""
     if me.status[seat] == WAITING:
@@ -95,7 +95,7 @@ def begin_leaving(shelf: Shelf, me: Character, seat: int) -> None:
         me.fade_elapsed[seat, group] = elapsed
 
 
-@kernel
+@inner_kernel
 def enter_slot(shelf: Shelf, me: Character, rules: Rules) -> None:
     """Enter the next slot: let go who has faded out, synchronize one more column."""
     window = window_of(me)
@@ -120,7 +120,7 @@ def enter_slot(shelf: Shelf, me: Character, rules: Rules) -> None:
     rebuild_warps(shelf, me)
 
 
-@kernel
+@inner_kernel
 def set_target(shelf: Shelf, me: Character, seat: int) -> None:
     """Set how far an action's clip goes in this slot: its phase, split over its columns (S-20)."""
     phase = me.phases[seat, 0]
@@ -142,7 +142,7 @@ def set_target(shelf: Shelf, me: Character, seat: int) -> None:
     me.remaining[seat] = max(end - clip_time, 0.0)
 
 
-@kernel
+@inner_kernel
 def _columns_of(me: Character, seat: int, column: int) -> int:
     """Return over how many decided columns the phase of one column goes on, itself included."""
     phase = me.phases[seat, column]
@@ -153,7 +153,7 @@ def _columns_of(me: Character, seat: int, column: int) -> int:
     return count
 
 
-@kernel
+@inner_kernel
 def rebuild_warps(shelf: Shelf, me: Character) -> None:
     """Set the slot's duration (eq. 6) and build every time warp anew from now (section 5.3)."""
     duration = _duration(shelf, me, 0)
@@ -179,7 +179,7 @@ def rebuild_warps(shelf: Shelf, me: Character) -> None:
             segment[5] = end_slope(mean, _vote(shelf, me, seat, 1) / following)
 
 
-@kernel
+@inner_kernel
 def _duration(shelf: Shelf, me: Character, column: int) -> float:
     """Return how long this slot (column 0) or the next one lasts at the present weights [s]."""
     voters = 0
@@ -197,7 +197,7 @@ def _duration(shelf: Shelf, me: Character, column: int) -> float:
     return slot_duration(me.shares, me.votes, voters)
 
 
-@kernel
+@inner_kernel
 def _vote(shelf: Shelf, me: Character, seat: int, column: int) -> float:
     """Return what one action says a slot should last [s]; 0 from an ended one."""
     if column == 0:
@@ -218,7 +218,7 @@ def _vote(shelf: Shelf, me: Character, seat: int, column: int) -> float:
     return own if shelf.use_paper_cubic else own / columns
 
 
-@kernel
+@inner_kernel
 def retry_waiting(shelf: Shelf, me: Character, rules: Rules) -> None:
     """Try every waiting start again, the oldest command first (section 5.1)."""
     for _ in range(SEATS):
@@ -237,7 +237,7 @@ def retry_waiting(shelf: Shelf, me: Character, rules: Rules) -> None:
             me.fade_elapsed[seat, 0] = 0.0
 
 
-@kernel
+@inner_kernel
 def enter_action(shelf: Shelf, me: Character, rules: Rules, seat: int) -> bool:
     """Start the action of a seat now, if it can be synchronized; return whether it was."""
     action = me.action[seat]
@@ -260,7 +260,7 @@ def enter_action(shelf: Shelf, me: Character, rules: Rules, seat: int) -> bool:
     return True
 
 
-@kernel
+@inner_kernel
 def _synchronize(shelf: Shelf, me: Character, rules: Rules, seat: int) -> bool:
     """Find an action its place in the schedule, and its clip the time that belongs there."""
     action = me.action[seat]
@@ -298,7 +298,7 @@ def _synchronize(shelf: Shelf, me: Character, rules: Rules, seat: int) -> bool:
     return True
 
 
-@kernel
+@inner_kernel
 def _prepare_costs(shelf: Shelf, me: Character, seat: int) -> None:
     """Tell the planner the weights to come and what is left of every phase."""
     for other in range(SEATS):

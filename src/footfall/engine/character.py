@@ -1,0 +1,182 @@
+"""One character: a crowd of one, with names instead of numbers."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from footfall.adaptation import Plane
+from footfall.engine.crowd import Crowd
+from footfall.engine.library import MotionLibrary
+from footfall.engine.state import EMPTY, WAITING, Frame
+from footfall.errors import ArgumentError
+from footfall.motion import Clip
+from footfall.skeleton import Skeleton
+from footfall.support import Support, SupportSequence
+from footfall.sync.tables import Planner
+
+__all__ = ["Character", "Started", "Waiting"]
+
+
+@dataclass(frozen=True, slots=True)
+class Started:
+    """The action runs."""
+
+    at: float
+    """Clock time of the start [s]."""
+
+
+@dataclass(frozen=True, slots=True)
+class Waiting:
+    """The action cannot be synchronized now; it starts by itself as soon as it can."""
+
+    reason: str
+    """What it waits for."""
+
+    until: float
+    """Clock time at which it is tried again: the next change of supports [s]."""
+
+
+class Character:
+    """A body that performs actions which start and stop at any moment."""
+
+    def __init__(
+        self,
+        skeleton: Skeleton,
+        *,
+        ground: Plane | None = None,
+        planner: Planner = "footfall",
+        lookahead: int = 5,
+        synchronized: bool = True,
+        footprints: bool = True,
+        neutral: Clip | None = None,
+    ) -> None:
+        """Prepare a character at the origin, facing +z; it can perform once it has an action.
+
+        Args:
+            skeleton: Its body.
+            ground: What it stands on; by default a plane at height 0.
+            planner: "footfall", or "paper" for the rule as printed.
+            lookahead: How many slots ahead phases are synchronized, >= 1.
+            synchronized: Whether supports are synchronized at all.
+            footprints: Whether planted feet are held where they came down.
+            neutral: Its first frame is how the character stands that does nothing.
+        """
+        self.skeleton = skeleton
+        self.library = MotionLibrary(neutral=neutral)
+        self._options: dict[str, Any] = {
+            "ground": ground,
+            "planner": planner,
+            "lookahead": lookahead,
+            "synchronized": synchronized,
+            "footprints": footprints,
+        }
+        self._crowd: Crowd | None = None
+
+    @property
+    def crowd(self) -> Crowd:
+        """The crowd of one that this character is.
+
+        Raises:
+            ArgumentError: If it has no action yet.
+        """
+        if self._crowd is None:
+            if not self.library.actions:
+                raise ArgumentError("the character has no action yet; add one first")
+            self._crowd = Crowd(self.library, 1, skeleton=self.skeleton, **self._options)
+        return self._crowd
+
+    def add(
+        self,
+        name: str,
+        clip: Clip,
+        supports: SupportSequence,
+        *,
+        priority: float | Mapping[str, float] = 1.0,
+        fade_in: float = 0.3,
+        fade_out: float = 0.3,
+    ) -> None:
+        """Add an action; arguments and errors as of `MotionLibrary.add`."""
+        self.library.add(
+            name, clip, supports, priority=priority, fade_in=fade_in, fade_out=fade_out
+        )
+
+    def start(self, name: str) -> Started | Waiting:
+        """Start an action, or let it wait for its moment.
+
+        Args:
+            name: Which action.
+
+        Returns:
+            `Started`, or `Waiting` with the reason.
+
+        Raises:
+            UnknownNameError: If there is no action of this name.
+            ArgumentError: If too many actions run at the same time.
+        """
+        action = self.library.index(name)
+        crowd = self.crowd
+        started = bool(crowd.start(action)[0])
+        me = crowd.characters[0]
+        clock = float(me["clock"])
+        if started:
+            return Started(clock)
+        left = (1.0 - float(me["slot_progress"])) * float(me["slot_duration"])
+        own = self.library.actions[action].supports.phases[0].support
+        now = Support(int(me["support"]))
+        reason = (
+            f"{name!r} would begin on {own.symbol}, the body is on {now.symbol} and the phases "
+            f"to come cannot be arranged yet; it is tried again in {left:.2f} s"
+        )
+        return Waiting(reason, clock + left)
+
+    def stop(self, name: str) -> None:
+        """Let an action fade out, or cancel its wait.
+
+        Raises:
+            UnknownNameError: If there is no action of this name.
+        """
+        self.crowd.stop(self.library.index(name))
+
+    def set_priority(self, name: str, priority: float | Mapping[str, float]) -> None:
+        """Change the priority of a running or waiting action; errors as of `Crowd`."""
+        self.crowd.set_priority(self.library.index(name), priority)
+
+    def place(self, x: float, z: float, heading: float = 0.0) -> None:
+        """Put the character somewhere: x, z [m] and heading [rad], 0 facing +z."""
+        self.crowd.place((x, z), heading)
+
+    def is_waiting(self, name: str) -> bool:
+        """Whether a start of this action still waits."""
+        action = self.library.index(name)
+        me = self.crowd.characters[0]
+        return bool(((me["status"] == WAITING) & (me["action"] == action)).any())
+
+    def is_active(self, name: str) -> bool:
+        """Whether this action runs, fades or waits."""
+        action = self.library.index(name)
+        me = self.crowd.characters[0]
+        return bool(((me["status"] != EMPTY) & (me["action"] == action)).any())
+
+    def advance(self, dt: float) -> Frame:
+        """Let time pass.
+
+        Args:
+            dt: How much [s], >= 0; 0 only works out the pose.
+
+        Returns:
+            The pose: a view that the next advance overwrites.
+
+        Raises:
+            ArgumentError: If `dt` is negative or not finite, or there is no action yet.
+        """
+        crowd = self.crowd
+        crowd.advance(dt)
+        me = crowd.characters[0]
+        return Frame(
+            float(me["clock"]),
+            Support(int(me["support"])),
+            crowd.world_positions[0],
+            crowd.world_rotations[0],
+        )
