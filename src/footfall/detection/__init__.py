@@ -3,7 +3,8 @@
 from footfall.detection.cleaning import CleanedClip, clean, clean_and_tell
 from footfall.detection.contacts import Contacts, detect_contacts
 from footfall.detection.intervals import Interval
-from footfall.detection.phases import detect_supports, frame_symbols
+from footfall.detection.phases import contact_supports, detect_supports, frame_symbols
+from footfall.detection.planted import planted_intervals
 
 __all__ = [
     "CleanedClip",
@@ -11,7 +12,9 @@ __all__ = [
     "Interval",
     "clean",
     "clean_and_tell",
+    "contact_supports",
     "detect_contacts",
     "detect_supports",
     "frame_symbols",
+    "planted_intervals",
 ]

@@ -16,17 +16,18 @@ __all__ = ["foot_contacts"]
 _NEARLY = (1.4, 1.6)
 """Nearly low and nearly slow: multiples of the height and the speed limit."""
 
-_SEEMS_EARLY, _SEEMS_LATE = 0.010, 0.006
+_SEEMS_EARLY, _SEEMS_LATE = 0.008, 0.003
 """A low-passed track comes to rest before the foot does, and stays after it [s]."""
 
-_LEVEL = 0.002
-"""What is this close to where it rests has landed [m]."""
+_ABOVE = (0.01, 0.022)
+"""Height over where it then rests from which a point has yet to land, and surely so [m]: soles
+are soft, and a heel joint is no corner."""
 
-_LANDING = 3.0
-"""A point that comes down to rest as the cube of the time left needs this multiple of height
-over speed."""
+_LANDING = 2.4
+"""What a point still takes to come down gently, as a multiple of height over speed: 2 where it
+slows evenly, 3 where it eases out as the cube of the time left."""
 
-_FALLING = (0.2, 0.45)
+_FALLING = (0.3, 0.5)
 """Share of the vertical in a point's speed from which it counts as falling, and fully so."""
 
 _LONGEST_LANDING = 0.15
@@ -147,9 +148,13 @@ def _landing(height: Floats, velocity: Positions, rate: float) -> float:
     # The low-pass lifts a sharp corner by 0.4 deviations times the speed before it, which is
     # twice the speed at it.
     lifted = 0.8 * LOW_PASS_DEVIATION * fall
-    above = max(float(height[0]) - rest - _LEVEL - lifted, 0.0)
-    falling = (fall / speed - _FALLING[0]) / (_FALLING[1] - _FALLING[0])
-    return min(_LANDING * above / speed * min(max(falling, 0.0), 1.0), _LONGEST_LANDING)
+    above = float(height[0]) - rest - lifted
+    falling = _ramp(fall / speed, _FALLING) * _ramp(above, _ABOVE)
+    return min(falling * _LANDING * max(above, 0.0) / speed, _LONGEST_LANDING)
+
+
+def _ramp(value: float, bounds: tuple[float, float]) -> float:
+    return min(max((value - bounds[0]) / (bounds[1] - bounds[0]), 0.0), 1.0)
 
 
 def _undragged(contact: Interval, speeds: Floats, rate: float) -> list[Interval]:

@@ -47,9 +47,11 @@ def contact_supports(
 ) -> SupportSequence:
     """Combine the contacts of both feet to one sequence without short phases.
 
-    The shortest phase goes first, until none is too short: between two phases of the same
-    support it is theirs; between two different ones it is shared half and half; at the end of
-    a clip it goes to its only neighbor.
+    The shortest phase comes first, until none is too short. Between two phases of the same
+    support it becomes theirs. Between two different ones it is made just long enough, from both
+    sides, if it is no flight, lasts at least half the minimum and they can spare it (a walk whose
+    feet hand over quickly stays a walk); else it is shared half and half. At the end of a clip it goes to
+    its only neighbor.
 
     Raises:
         ArgumentError: If the clip lasts no time.
@@ -109,12 +111,37 @@ def _merged(phases: _Phases, *, cyclic: bool) -> _Phases:
 
 def _resolved(phases: _Phases, minimum: float, *, cyclic: bool) -> _Phases:
     while len(phases) > 1:
-        lengths = [end - start for _, start, end in phases]
-        index = int(np.argmin(lengths))
-        if lengths[index] >= minimum - 1e-9:
+        lengths = np.array([end - start for _, start, end in phases])
+        if not (lengths < minimum - 1e-9).any():
             break
-        phases = _without(phases, index, cyclic=cyclic)
+        index = int(lengths.argmin())
+        widened = _widened(phases, index, minimum, cyclic=cyclic)
+        phases = _without(phases, index, cyclic=cyclic) if widened is None else widened
     return phases
+
+
+def _widened(phases: _Phases, index: int, minimum: float, *, cyclic: bool) -> _Phases | None:
+    """Return the phases with one made just long enough, or None where it is not to be kept.
+
+    Kept is what lasts half the minimum between two different phases that can spare the rest.
+    """
+    count = len(phases)
+    inside = cyclic or 0 < index < count - 1
+    before, after = (index - 1) % count, (index + 1) % count
+    support, start, end = phases[index]
+    if support is Support.FLIGHT or not inside or count < 3:
+        return None
+    if phases[before][0] is phases[after][0]:
+        return None
+    missing = 0.5 * (minimum - (end - start))
+    spare = min(phases[i][2] - phases[i][1] for i in (before, after)) - missing
+    if missing > 0.25 * minimum + 1e-9 or spare < minimum:
+        return None
+    result = list(phases)
+    result[before] = (*phases[before][:2], phases[before][2] - missing)
+    result[after] = (phases[after][0], phases[after][1] + missing, phases[after][2])
+    result[index] = (support, start - missing, end + missing)
+    return _from_zero(result, phases[-1][2] - phases[0][1], cyclic=cyclic)
 
 
 def _without(phases: _Phases, index: int, *, cyclic: bool) -> _Phases:
