@@ -189,7 +189,7 @@ def test_slerp_is_the_oracles(seed: int, fraction: float) -> None:
     assert_same(slerp(one, other, fraction), np.roll(expected, 1), within=1e-7)
 
 
-@pytest.mark.parametrize("angle", [0.0, 1e-9, 1e-7, 1e-5, 1.0, math.pi - 1e-6, math.pi])
+@pytest.mark.parametrize("angle", [0.0, 1e-9, 1e-7, 1e-5, 3e-3, 1.0, math.pi - 1e-6, math.pi])
 @pytest.mark.parametrize("sign", [-1.0, 1.0])
 def test_slerp_turns_at_even_speed_between_any_two(angle: float, sign: float) -> None:
     axis = np.array([0.0, 0.6, 0.8])
