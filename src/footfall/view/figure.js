@@ -51,7 +51,7 @@ class Player {
     const speed = Math.max(0, slid - before) * data.rate / 4;
     return {
       down: symbol === "D" || symbol === (side ? "R" : "L"),
-      sliding: clamp((speed - 0.05) / 0.15, 0, 1),
+      sliding: clamp((speed - 0.08) / 0.15, 0, 1),
       slid,
     };
   }

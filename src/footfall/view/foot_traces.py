@@ -22,7 +22,7 @@ HEADING = 46.0
 ROW_LENGTH = 6.5
 TALLEST = 460.0
 
-VISIBLE_SLIP = 0.012
+VISIBLE_SLIP = 0.015
 """A planted foot that moves farther than this is drawn as sliding [m]."""
 
 # Outline of a shoe: along the foot from heel (0) to toe joint (1), and half its width [m].

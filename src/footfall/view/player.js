@@ -73,8 +73,12 @@ function buildCamera() {
 // The schedule picture says where its time axis lies; a line follows the time, a click sets it.
 function buildPlayhead() {
   const box = byId("schedule");
-  const { left, right, width, duration: seconds } = box.querySelector("svg").dataset;
+  const picture = box.querySelector("svg");
+  const { left, right, top, bottom, duration: seconds } = picture.dataset;
+  const { width, height } = picture.viewBox.baseVal;
   const line = box.appendChild(Object.assign(document.createElement("div"), { id: "playhead" }));
+  line.style.top = `${100 * top / height}%`;
+  line.style.bottom = `${100 - 100 * bottom / height}%`;
   const set = (event) => {
     const area = box.getBoundingClientRect();
     const x = (event.clientX - area.left) / area.width * width;

@@ -4,7 +4,7 @@ const data = JSON.parse(document.getElementById("data").textContent);
 const COLORS = { R: "--right", L: "--left", D: "--double", "-": "--flight" };
 const NAMES = { R: "right foot", L: "left foot", D: "both feet", "-": "flight" };
 const LIGHT = [-0.55, 1.0, 0.5];
-const SLIDING = 0.012; // a planted foot that moves farther is shown as sliding [m]
+const SLIDING = 0.015; // a planted foot that moves farther is shown as sliding [m]
 
 const bytes = (text) => Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
 const unpack = (text, Kind) => new Kind(bytes(text).buffer);

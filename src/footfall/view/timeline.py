@@ -41,7 +41,11 @@ def timeline_svg(timeline: Timeline) -> str:
         _draw_lane(picture, timeline, lane, TOP + row * (LANE + GAP))
     _draw_result(picture, timeline, TOP + len(timeline.lanes) * (LANE + GAP))
     return picture.to_svg(
-        duration=f"{timeline.duration:.4f}", left=LEFT, right=WIDTH - RIGHT, width=WIDTH
+        duration=f"{timeline.duration:.4f}",
+        left=LEFT,
+        right=WIDTH - RIGHT,
+        top=TOP - 14.0,
+        bottom=height - 28.0,
     )
 
 
