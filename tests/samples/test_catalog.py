@@ -329,3 +329,16 @@ def test_the_same_sample_twice_is_the_same() -> None:
     one, other = sample("walk")[0], sample("walk")[0]
     assert np.array_equal(one.local_rotations, other.local_rotations)
     assert np.array_equal(one.pelvis_positions, other.pelvis_positions)
+
+
+@pytest.mark.parametrize(
+    ("name", "stance", "double"),
+    [("walk", 0.62, 0.12), ("walk-slow", 0.66, 0.16), ("walk-fast", 0.58, 0.08)],
+)
+def test_walks_stand_on_both_feet_for_the_published_share(
+    name: str, stance: float, double: float
+) -> None:
+    _, supports = sample(name, fps=120.0)
+    single, both = (phase.duration / supports.duration for phase in supports.phases[:2])
+    assert both == pytest.approx(double, abs=1e-9)
+    assert single + 2.0 * both == pytest.approx(stance, abs=1e-9)
