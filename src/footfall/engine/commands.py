@@ -8,7 +8,7 @@ import numpy.typing as npt
 
 from footfall.compilation import inner_kernel, kernel
 from footfall.engine.shelf import Shelf
-from footfall.engine.slots import begin_leaving, enter_action
+from footfall.engine.slots import NONE, begin_leaving, enter_action
 from footfall.engine.state import EMPTY, RUNNING, SEATS, WAITING, Character
 from footfall.skeleton import BodyPart
 from footfall.sync.tables import Rules
@@ -34,8 +34,8 @@ def start_row(
     Returns:
         `STARTED`, `WAITS`, or `NO_SEAT` where every seat is taken.
     """
-    me = characters[row]
-    free = -1
+    me: Character = characters[row]
+    free = NONE
     for seat in range(SEATS):
         status = me.status[seat]
         if status == EMPTY:
@@ -80,7 +80,7 @@ def _rise_again(shelf: Shelf, me: Character, seat: int) -> None:
 @kernel
 def stop_row(shelf: Shelf, characters: npt.NDArray[Any], row: int, action: int) -> None:
     """Stop an action of one character: fade it out, or give up its wait."""
-    me = characters[row]
+    me: Character = characters[row]
     for seat in range(SEATS):
         if me.status[seat] != EMPTY and me.action[seat] == action:
             begin_leaving(shelf, me, seat)

@@ -8,7 +8,6 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-import numpy.typing as npt
 
 from footfall.arrays import Floats, SmallFloats
 from footfall.engine.packing import PackedClip, pack_clip, pack_standing
@@ -247,7 +246,7 @@ def _check_supports(name: str, clip: Clip, supports: SupportSequence) -> None:
         )
 
 
-def _entries(actions: list[Action]) -> npt.NDArray[Any]:
+def _entries(actions: list[Action]) -> Any:
     """Return one record an action, in their order."""
     entries = np.zeros(len(actions), dtype=entry_type)
     frame = phase = 0

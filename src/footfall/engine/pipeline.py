@@ -72,7 +72,7 @@ def advance_rows(
     """
     steps = max(1, math.ceil(dt / LONGEST_STEP - 1e-9))
     for row in range(characters.shape[0]):
-        me = characters[row]
+        me: Character = characters[row]
         for _ in range(steps):
             advance_row(shelf, rig, me, work, rules, dt / steps)
         # 9. Into the world.

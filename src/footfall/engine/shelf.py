@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 import math
-from typing import Any, NamedTuple
+from typing import NamedTuple, Protocol
 
 import numpy as np
-import numpy.typing as npt
 
 from footfall.arrays import Floats, Positions, Seconds, SmallFloats
 from footfall.compilation import inner_kernel
@@ -15,6 +14,7 @@ from footfall.skeleton import BodyPart
 from footfall.sync.tables import SequenceTable
 
 __all__ = [
+    "Entries",
     "Entry",
     "Shelf",
     "entry_type",
@@ -79,6 +79,19 @@ entry_type = np.dtype(
 """The memory layout of `Entry`."""
 
 
+class Entries(Protocol):
+    """An array of `Entry` records, shape (actions,)."""
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """How many actions there are, as a tuple of one."""
+        ...
+
+    def __getitem__(self, action: int) -> Entry:
+        """Return what is known of one action."""
+        ...
+
+
 class Shelf(NamedTuple):
     """All actions, packed for the kernels."""
 
@@ -88,7 +101,7 @@ class Shelf(NamedTuple):
     roots: Floats
     """The root of each of them: x, z in leg lengths, heading [rad], shape (frames, 3)."""
 
-    entries: npt.NDArray[Any]
+    entries: Entries
     """One record of `entry_type` for each action, shape (actions,)."""
 
     resting_heights: Floats

@@ -5,6 +5,10 @@ Stages 1 to 3 of the pipeline at the moments where something changes.
 
 from __future__ import annotations
 
+from typing import cast
+
+import numpy as np
+
 from footfall.compilation import inner_kernel
 from footfall.engine.shelf import Shelf, key_at, phase_end, phase_start, read_points
 from footfall.engine.state import EMPTY, LEAVING, RUNNING, SEATS, WAITING, Character
@@ -34,6 +38,10 @@ __all__ = [
 ]
 
 LEGS = int(BodyPart.LEGS)
+
+# Typed numbers: a literal would have everything that it is passed to compiled twice.
+NONE = cast(int, np.int64(-1))
+THIS_SLOT, NEXT_SLOT = cast(int, np.int64(0)), cast(int, np.int64(1))
 
 GREATEST_SQUEEZE = 3.0
 """Rate beyond which a first phase is not squeezed into the rest of a slot (S-13)."""
@@ -130,7 +138,7 @@ def set_target(shelf: Shelf, me: Character, seat: int) -> None:
         me.natural[seat] = 0.0
         return
     end = phase_end(shelf.entries[me.action[seat]], shelf.phase_starts, phase)
-    columns = _columns_of(me, seat, 0)
+    columns = _columns_of(me, seat, THIS_SLOT)
     part = max(end - clip_time, 0.0) / columns
     me.target[seat] = clip_time + part
     me.natural[seat] = part / (1.0 - me.slot_progress)
@@ -156,11 +164,11 @@ def _columns_of(me: Character, seat: int, column: int) -> int:
 @inner_kernel
 def rebuild_warps(shelf: Shelf, me: Character) -> None:
     """Set the slot's duration (eq. 6) and build every time warp anew from now (section 5.3)."""
-    duration = _duration(shelf, me, 0)
+    duration = _duration(shelf, me, THIS_SLOT)
     me.slot_duration = duration
     if duration <= 0.0:
         return
-    following = _duration(shelf, me, 1)
+    following = _duration(shelf, me, NEXT_SLOT)
     now = me.clock
     left = (1.0 - me.slot_progress) * duration
     for seat in range(SEATS):
@@ -176,7 +184,7 @@ def rebuild_warps(shelf: Shelf, me: Character) -> None:
         if shelf.use_paper_cubic:
             segment[5] = end_slope_paper(mean, segment[2])
         else:
-            segment[5] = end_slope(mean, _vote(shelf, me, seat, 1) / following)
+            segment[5] = end_slope(mean, _vote(shelf, me, seat, NEXT_SLOT) / following)
 
 
 @inner_kernel
@@ -205,16 +213,12 @@ def _vote(shelf: Shelf, me: Character, seat: int, column: int) -> float:
     phase = me.phases[seat, column]
     if has_ended(shelf.table, me.sequence[seat], phase):
         return 0.0
-    action = me.action[seat]
+    entry = shelf.entries[me.action[seat]]
     columns = _columns_of(me, seat, column)
+    end = phase_end(entry, shelf.phase_starts, phase)
     if phase == me.phases[seat, 0] and not shelf.use_paper_cubic:
-        return (
-            max(phase_end(shelf.entries[action], shelf.phase_starts, phase) - me.target[seat], 0.0)
-            / columns
-        )
-    own = phase_end(shelf.entries[action], shelf.phase_starts, phase) - phase_start(
-        shelf.entries[action], shelf.phase_starts, phase
-    )
+        return max(end - me.target[seat], 0.0) / columns
+    own = end - phase_start(entry, shelf.phase_starts, phase)
     return own if shelf.use_paper_cubic else own / columns
 
 
@@ -222,7 +226,7 @@ def _vote(shelf: Shelf, me: Character, seat: int, column: int) -> float:
 def retry_waiting(shelf: Shelf, me: Character, rules: Rules) -> None:
     """Try every waiting start again, the oldest command first (section 5.1)."""
     for _ in range(SEATS):
-        oldest = -1
+        oldest = NONE
         for seat in range(SEATS):
             untried = me.fade_elapsed[seat, 0] == 0.0
             older = oldest < 0 or me.age[seat] < me.age[oldest]
@@ -281,12 +285,12 @@ def _synchronize(shelf: Shelf, me: Character, rules: Rules, seat: int) -> bool:
             return False
     elapsed = me.slot_progress
     _prepare_costs(shelf, me, seat)
-    entry = start_action(shelf.table, window, rules, seat, elapsed)
-    if entry == REFUSED:
+    phase = start_action(shelf.table, window, rules, seat, elapsed)
+    if phase == REFUSED:
         update_weights(me)
         return False
-    begin = phase_start(shelf.entries[action], shelf.phase_starts, entry)
-    end = phase_end(shelf.entries[action], shelf.phase_starts, entry)
+    begin = phase_start(shelf.entries[action], shelf.phase_starts, phase)
+    end = phase_end(shelf.entries[action], shelf.phase_starts, phase)
     me.clip_time[seat] = begin + elapsed * (end - begin) if anywhere else begin
     for other in range(SEATS):
         if me.playing[other]:

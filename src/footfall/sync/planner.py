@@ -12,6 +12,9 @@ Another planner takes the place of these four functions: `start_action`, `releas
 from __future__ import annotations
 
 import math
+from typing import cast
+
+import numpy as np
 
 from footfall.compilation import kernel
 from footfall.support import Support
@@ -31,6 +34,8 @@ __all__ = ["REFUSED", "reconsider", "release_action", "start_action", "window_co
 REFUSED = -1
 """What `start_action` returns where no entry can be synchronized."""
 
+# A typed number: a literal would have everything that it is passed to compiled twice.
+FIRST = cast(int, np.int64(0))
 FLIGHT = int(Support.FLIGHT)
 LEFT_FOOT = int(Support.LEFT) & ~int(Support.RIGHT)
 RIGHT_FOOT = int(Support.RIGHT) & ~int(Support.LEFT)
@@ -63,7 +68,7 @@ def start_action(
     """
     sequence = window.sequence[seat]
     if not (rules.enters_anywhere and table.cyclic[sequence]):
-        if not try_start(table, window, rules, seat, 0):
+        if not try_start(table, window, rules, seat, FIRST):
             return REFUSED
         window.remaining[seat] = natural_duration(table, sequence, 0)
         return 0
