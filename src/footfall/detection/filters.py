@@ -8,7 +8,7 @@ import numpy as np
 
 from footfall.arrays import Floats
 
-__all__ = ["gaussian", "moving_maximum", "moving_mean", "moving_minimum"]
+__all__ = ["gaussian", "moving_mean", "moving_minimum"]
 
 
 def _padded(values: Floats, radius: int, *, cyclic: bool) -> Floats:
@@ -41,11 +41,6 @@ def moving_mean(values: Floats, radius: int, *, cyclic: bool) -> Floats:
     sums = np.concatenate([np.zeros((1, *values.shape[1:])), np.cumsum(padded, axis=0)])
     width = 2 * radius + 1
     return (sums[width:] - sums[:-width]) / width
-
-
-def moving_maximum(values: Floats, radius: int, *, cyclic: bool) -> Floats:
-    """Return the greatest of the values up to `radius` samples away; see `moving_minimum`."""
-    return -moving_minimum(-values, radius, cyclic=cyclic)
 
 
 def gaussian(values: Floats, deviation: float, *, cyclic: bool = False) -> Floats:

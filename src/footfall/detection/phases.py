@@ -13,6 +13,9 @@ from footfall.support import Support, SupportPhase, SupportSequence
 
 __all__ = ["contact_supports", "detect_supports", "frame_symbols"]
 
+_HANDOVER = 0.07
+"""How long a double support is made that would be too short [s]: 5 % of a slow stride."""
+
 
 def detect_supports(
     clip: Clip,
@@ -48,10 +51,10 @@ def contact_supports(
     """Combine the contacts of both feet to one sequence without short phases.
 
     The shortest phase comes first, until none is too short. Between two phases of the same
-    support it becomes theirs. Between two different ones it is made just long enough, from both
+    support it becomes theirs. Between two different ones it is made long enough, from both
     sides, if it is no flight, lasts at least half the minimum and they can spare it (a walk whose
-    feet hand over quickly stays a walk); else it is shared half and half. At the end of a clip it goes to
-    its only neighbor.
+    feet hand over quickly stays a walk); else it is shared half and half. At the end of a clip it
+    goes to its only neighbor.
 
     Raises:
         ArgumentError: If the clip lasts no time.
@@ -133,9 +136,9 @@ def _widened(phases: _Phases, index: int, minimum: float, *, cyclic: bool) -> _P
         return None
     if phases[before][0] is phases[after][0]:
         return None
-    missing = 0.5 * (minimum - (end - start))
+    missing = 0.5 * (max(minimum, _HANDOVER) - (end - start))
     spare = min(phases[i][2] - phases[i][1] for i in (before, after)) - missing
-    if missing > 0.25 * minimum + 1e-9 or spare < minimum:
+    if end - start < 0.5 * minimum or spare < minimum:
         return None
     result = list(phases)
     result[before] = (*phases[before][:2], phases[before][2] - missing)

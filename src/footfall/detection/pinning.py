@@ -19,15 +19,15 @@ _EDGE = 0.06
 """How long a foot still comes at the start of a span, and already goes at its end [s]."""
 
 _SHARP = 0.004
-"""Difference of height at which one of two points carries nearly three quarters [m]."""
+"""Difference of height from which the lower of two points is the one that carries [m]."""
 
-_SLOWER = 0.01
+_SLOWER = 0.02
 """Difference of speed that counts as much [m/s]: a turning foot turns about the slower point."""
 
 _SPEED_SPREAD = 0.06
 """Deviation of the filter over those speeds [s]."""
 
-_HANDOVER = 0.015
+_HANDOVER = 0.008
 """Deviation of the filter that smooths the change from one carrying point to the other [s]."""
 
 _UNEVEN = 0.015
@@ -134,10 +134,23 @@ def _carrying_moves(points: Positions, levels: Floats, fps: float) -> tuple[Floa
     speeds = gaussian(np.linalg.norm(steps, axis=-1) * fps, _SPEED_SPREAD * fps)
     speeds = 0.5 * (np.concatenate([speeds[:1], speeds]) + np.concatenate([speeds, speeds[-1:]]))
     lead = (heights[:, 0] - heights[:, 1]) / _SHARP + (speeds[:, 0] - speeds[:, 1]) / _SLOWER
-    toe = gaussian(0.5 + 0.5 * np.tanh(0.5 * lead), _HANDOVER * fps)
+    toe = gaussian(_decided(lead), _HANDOVER * fps)
     share = 0.5 * (toe[1:] + toe[:-1])[:, np.newaxis]
     moves = (1.0 - share) * steps[:, 0] + share * steps[:, 1]
     return moves, (1.0 - toe) * heights[:, 0] + toe * heights[:, 1]
+
+
+def _decided(lead: Floats) -> Floats:
+    """Return 1 where the second of two points leads and 0 where the first does.
+
+    What is undecided stays as it was: a foot that turns must not turn about its middle, where
+    both points move.
+    """
+    clear = np.abs(lead) > 1.0
+    if not clear.any():
+        return np.where(lead > 0.0, 1.0, 0.0)
+    latest = np.maximum.accumulate(np.where(clear, np.arange(len(lead)), int(clear.argmax())))
+    return np.where(lead[latest] > 0.0, 1.0, 0.0)
 
 
 def _fitted(
