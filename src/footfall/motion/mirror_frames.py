@@ -15,8 +15,8 @@ from typing import Any
 import numpy as np
 
 from footfall.arrays import Floats, Indices, Positions, Rotations, frozen
-from footfall.geometry import blend_rotations, rotate
-from footfall.skeleton import Anatomy, Leg, Skeleton
+from footfall.geometry import blend_rotations, continuous, rotate
+from footfall.skeleton import Anatomy, Leg, Skeleton, world_poses
 from footfall.skeleton.joint_names import read_joint_names
 
 __all__ = ["frame_reflections", "mirrored_joints"]
@@ -29,9 +29,18 @@ AXIS_MISFIT_ALONE = 0.1
 """The same for a joint without partner: shoulders are mounted up to 18° unevenly, and the head
 above them is not to lean for it."""
 
-POSE_WEIGHT = 0.02
+AXIS_SHARE = 0.9
+"""Share of the joints that reflections along the axes must fit, or frames are turned anyhow and
+each reflection is fitted to its bones."""
+
+POSE_WEIGHT = 1e-4
 """Weight of what the poses say beside the bones: enough to settle a turn about a lone bone, too
 little to bend the bones away from each other."""
+
+_AXIS_REFLECTIONS = tuple(
+    np.diag(np.array(signs, dtype=np.float64))
+    for signs in ((-1, 1, 1), (1, -1, 1), (1, 1, -1), (-1, -1, -1))
+)
 
 _NONE = np.zeros(3)
 
@@ -95,31 +104,42 @@ def frame_reflections(skeleton: Skeleton, local_rotations: Rotations, partners: 
         local_rotations: Its poses in a clip, shape (frames, joints, 4).
         partners: The joint that mirrors each joint, shape (joints,).
     """
-    count = len(local_rotations)
-    aligned = np.where(
-        np.einsum("fji,ji->fj", local_rotations, local_rotations[0])[..., np.newaxis] < 0.0,
-        -local_rotations,
-        local_rotations,
-    )
-    mean = _matrices(blend_rotations(aligned, np.full(aligned.shape[:2], 1.0 / count)))
+    bones = [_bones(skeleton, partners, joint) for joint in range(skeleton.count)]
+    alone = partners == np.arange(skeleton.count)
+    fitting = [
+        _fitting_axes(bones[joint], bool(alone[joint])) if partners[joint] >= joint else []
+        for joint in range(skeleton.count)
+    ]
+    asked = int((partners >= np.arange(skeleton.count)).sum())
+    along_axes = sum(map(bool, fitting)) >= AXIS_SHARE * asked
+    mean = _mean_rotations(local_rotations)
     reflections = np.empty((skeleton.count, 3, 3))
     for joint in range(skeleton.count):
         partner = int(partners[joint])
         if partner < joint:
             reflections[joint] = reflections[partner].T
             continue
-        bones, images = _bones(skeleton, partners, joint)
         if joint == 0:
-            expected = _across(bones, images)
+            expected = _across(skeleton, local_rotations, partners)
         else:
             parent = reflections[skeleton.parents[joint]]
             expected = mean[partner].T @ parent @ mean[joint]
-        reflections[joint] = _reflection(bones, images, expected, partner == joint)
+        if along_axes:
+            reflections[joint] = min(
+                fitting[joint] or _AXIS_REFLECTIONS,
+                key=lambda axes: float(((axes - expected) ** 2).sum()),
+            )
+        else:
+            reflections[joint] = _nearest_reflection(bones[joint], expected, bool(alone[joint]))
     return reflections
 
 
-def _matrices(rotations: Rotations) -> Floats:
-    return np.stack([rotate(rotations, axis) for axis in np.eye(3)], axis=-1)
+def _mean_rotations(local_rotations: Rotations) -> Floats:
+    """Return the mean rotation of each joint over the frames as a matrix, (joints, 3, 3)."""
+    steady = continuous(local_rotations)
+    shares = np.full(steady.shape[:2], 1.0 / len(steady))
+    mean = blend_rotations(steady, shares)
+    return np.stack([rotate(mean, axis) for axis in np.eye(3)], axis=-1)
 
 
 def _bones(skeleton: Skeleton, partners: Indices, joint: int) -> tuple[Positions, Positions]:
@@ -140,32 +160,35 @@ def _bones(skeleton: Skeleton, partners: Indices, joint: int) -> tuple[Positions
     return np.array([one for one, _ in bones]), np.array([other for _, other in bones])
 
 
-def _across(bones: Positions, images: Positions) -> Floats:
-    """Return the reflection across the plane between the bones and their images."""
-    apart = bones - images
-    _, _, axes = np.linalg.svd(apart)
-    normal = axes[0]
-    return np.eye(3) - 2.0 * np.outer(normal, normal)
+def _across(skeleton: Skeleton, local_rotations: Rotations, partners: Indices) -> Floats:
+    """Return the reflection of joint 0: along the line between the pair nearest to it."""
+    still = local_rotations.copy()
+    still[:, 0] = np.array([1.0, 0.0, 0.0, 0.0])
+    _, positions = world_poses(skeleton, np.zeros((len(still), 3)), still)
+    for joint, partner in enumerate(partners.tolist()):
+        apart = (positions[:, joint] - positions[:, partner]).mean(axis=0)
+        size = float(np.linalg.norm(apart))
+        if size > 1e-6:
+            return np.eye(3) - 2.0 * np.outer(apart, apart) / size**2
+    return _AXIS_REFLECTIONS[0]
 
 
-def _reflection(bones: Positions, images: Positions, expected: Floats, alone: bool) -> Floats:
-    """Return the reflection that carries bones onto their images and agrees with the poses."""
-    size = max(float((bones**2).sum() + (images**2).sum()) / 2.0, 1e-9)
+def _fitting_axes(bones: tuple[Positions, Positions], alone: bool) -> list[Floats]:
+    """Return the reflections along axes that carry bones nearly onto their images."""
+    own, images = bones
     most = AXIS_MISFIT_ALONE if alone else AXIS_MISFIT
-    best, least = expected, np.inf
-    for signs in ((-1, 1, 1), (1, -1, 1), (1, 1, -1), (-1, -1, -1)):
-        axes = np.diag(np.array(signs, dtype=np.float64))
-        misfit = float(((images - bones @ axes) ** 2).sum())
-        score = misfit + POSE_WEIGHT * size * float(((axes - expected) ** 2).sum())
-        if misfit <= most * size and score < least:
-            best, least = axes, score
-    if np.isfinite(least) and float(((best - expected) ** 2).sum()) < 4.0:
-        return best
-    return _nearest_reflection(images.T @ bones + POSE_WEIGHT * size * expected, alone)
+    room = most * float((own**2).sum() + (images**2).sum()) / 2.0
+    misfits = [float(((images - own @ axes) ** 2).sum()) for axes in _AXIS_REFLECTIONS]
+    return [axes for axes, misfit in zip(_AXIS_REFLECTIONS, misfits, strict=True) if misfit <= room]
 
 
-def _nearest_reflection(matrix: Floats, alone: bool) -> Floats:
-    """Return the orthogonal matrix of determinant -1 nearest to one; an involution if `alone`."""
+def _nearest_reflection(
+    bones: tuple[Positions, Positions], expected: Floats, alone: bool
+) -> Floats:
+    """Return the reflection that best carries bones onto images; an involution if `alone`."""
+    own, images = bones
+    size = max(float((own**2).sum() + (images**2).sum()) / 2.0, 1e-9)
+    matrix = images.T @ own + POSE_WEIGHT * size * expected
     if alone:
         _, axes = np.linalg.eigh(0.5 * (matrix + matrix.T))
         normal = axes[:, 0]

@@ -26,9 +26,6 @@ keeps nine tenths of its."""
 FILTER_ORDER = 4
 """Steepness: a second-order Butterworth filter passed forward and backward."""
 
-STRIDE = 1.0
-"""About how long a stride takes [s]: over which the ends of a path are evened out."""
-
 
 @dataclass(frozen=True, eq=False)
 class RootPath:
@@ -86,9 +83,9 @@ def extract_root_path(clip: Clip, anatomy: Anatomy) -> RootPath:
 def smooth_headings(headings: Floats, fps: float) -> Floats:
     """Return headings without the swing of the steps.
 
-    A zero-phase low-pass. Beyond each end the headings are continued by their reflection about
-    the end value of a line fitted to the last stride: about the heading that the end swings
-    around, not the one that the swing happens to have there.
+    A zero-phase low-pass. Beyond each end the heading is taken to stay: that lets through half of
+    a swing that is cut there, and half of a turn, where a continued turn would let through all
+    of the swing, and a mirrored one none of the turn.
 
     Args:
         headings: Unwrapped headings [rad], shape (frames,).
@@ -98,12 +95,8 @@ def smooth_headings(headings: Floats, fps: float) -> Floats:
         Smooth headings [rad], shape (frames,).
     """
     count = len(headings)
-    if count < 3:
-        return headings.copy()
-    stride = min(count, max(3, round(STRIDE * fps)))
-    before = 2.0 * _fitted_end(headings[stride - 1 :: -1]) - headings[::-1]
-    after = 2.0 * _fitted_end(headings[-stride:]) - headings[::-1]
-    padded = np.concatenate([before, headings, after])
+    margin = max(1, round(fps / HEADING_CUTOFF))
+    padded = np.pad(headings, margin, mode="edge")
     line = padded[0] + _ramp(len(padded)) * float(padded[-1] - padded[0])
     rest = padded - line
     # A sum of sines, each scaled by the filter's gain: nothing wraps around.
@@ -111,14 +104,7 @@ def smooth_headings(headings: Floats, fps: float) -> Floats:
     frequencies = np.fft.rfftfreq(len(odd), 1.0 / fps)
     gain = 1.0 / (1.0 + (frequencies / HEADING_CUTOFF) ** FILTER_ORDER)
     smooth: Floats = np.fft.irfft(gain * np.fft.rfft(odd), len(odd))
-    return (line + smooth[: len(padded)])[count : 2 * count]
-
-
-def _fitted_end(values: Floats) -> float:
-    """Return the last value of the line fitted to all of them."""
-    times = np.arange(len(values), dtype=np.float64) - 0.5 * (len(values) - 1)
-    slope = float(times @ values) / float(times @ times)
-    return float(values.mean()) + slope * float(times[-1])
+    return (line + smooth[: len(padded)])[margin : margin + count]
 
 
 def _ramp(count: int) -> Floats:
