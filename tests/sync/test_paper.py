@@ -105,6 +105,24 @@ def test_appendix_a_always_finds_a_column_and_may_starve_the_first() -> None:
     assert window.phases[0].tolist() == [0, 0, 0, 0, 0, 0]
 
 
+def test_only_ended_actions_on_the_other_foot_are_stopped() -> None:
+    rules = rules_of("paper", ended="stop")
+    table, window = running(["D L*", "R", "D"], columns=3)
+    assert combine_column(table, window, rules, 0)
+    assert synchronize_column(table, window, rules, 1)
+    assert window.phases[:, 1].tolist() == [1, -1, 1]
+
+
+def test_of_several_flights_appendix_a_holds_that_of_the_last_in_priority() -> None:
+    rules = rules_of("paper", falls_back=True)
+    for priorities, held in (([3.0, 2.0, 1.0], [1, 1, 0]), ([1.0, 2.0, 3.0], [0, 1, 1])):
+        table, window = running(["- L*", "R", "- L D*"], columns=3, priorities=priorities)
+        assert combine_column(table, window, rules, 0)
+        assert synchronize_column(table, window, rules, 1)
+        assert window.phases[:, 1].tolist() == held
+        assert window.results[1] == Support.FLIGHT
+
+
 @pytest.mark.parametrize("one", every_strict_text(2))
 def test_appendix_a_never_fails(one: str) -> None:
     rules = rules_of("paper", falls_back=True)
