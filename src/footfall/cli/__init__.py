@@ -1,0 +1,52 @@
+"""The commands: a documented function each.
+
+What is wrong with the input is told in one line on stderr, with exit code 2 and nothing written.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Sequence
+
+from cyclopts import App, CycloptsError
+
+from footfall.cli.demonstration import demo
+from footfall.cli.inspection import detect, info
+from footfall.cli.making import clean, edit
+from footfall.cli.scheduling import sync
+from footfall.cli.staging import blend, report
+from footfall.errors import FootfallError
+
+__all__ = ["blend", "clean", "demo", "detect", "edit", "info", "main", "report", "sync"]
+
+WRONG = 2
+"""Exit code where something was wrong with the input."""
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run a command.
+
+    Args:
+        arguments: The words after ``footfall``; None: those of the command line.
+
+    Returns:
+        The exit code: 0, or 2 where something was wrong with the input.
+    """
+    app = App(
+        name="footfall",
+        help="Starts, stops and mixes motion clips so that the feet never slide.",
+        version_flags=[],
+    )
+    for command in (info, detect, edit, clean, sync, blend, report, demo):
+        app.command(command)
+    words = list(sys.argv[1:] if arguments is None else arguments)
+    try:
+        app(words, exit_on_error=False, print_error=False, result_action="return_value")
+    except (FootfallError, CycloptsError, OSError) as error:
+        print(f"footfall: {_one_line(error)}", file=sys.stderr)
+        return WRONG
+    return 0
+
+
+def _one_line(error: Exception) -> str:
+    return " ".join(str(error).split()) or type(error).__name__

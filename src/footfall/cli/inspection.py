@@ -1,0 +1,107 @@
+"""Look into a motion: `info` and `detect`."""
+
+from __future__ import annotations
+
+import json as json_text
+from pathlib import Path
+from typing import Annotated, Any
+
+from cyclopts import Parameter
+
+from footfall.detection import detect_supports, frame_symbols
+from footfall.io import Conclusions, load_with_conclusions, save_supports, supports_text
+from footfall.motion import Clip
+from footfall.scenario.motions import load_motion
+
+__all__ = ["detect", "info"]
+
+
+def info(file: Path, /, *, json: bool = False) -> None:
+    """Say what is in a motion file: joints, rate, unit, axes, feet, cyclic or not, and why.
+
+    Parameters
+    ----------
+    file
+        A .bvh, .bvh.gz or .npz file.
+    json
+        Print JSON.
+    """
+    clip, conclusions = load_with_conclusions(file)
+    if json:
+        print(json_text.dumps(_info_json(file, clip, conclusions), indent=2))
+        return
+    print(f"{file}: {clip.frames} frames, {clip.duration:.3f} s, {clip.skeleton.count} joints")
+    sentences = conclusions.sentences()
+    width = max(len(name) for name, _ in sentences)
+    for name, reason in sentences:
+        print(f"  {name:<{width}}  {reason}")
+    print(f"  {'joints':<{width}}  {', '.join(clip.skeleton.names)}")
+
+
+def _info_json(file: Path, clip: Clip, conclusions: Conclusions) -> dict[str, Any]:
+    feet = conclusions.feet.value
+    return {
+        "file": str(file),
+        "joints": list(clip.skeleton.names),
+        "parents": [int(parent) for parent in clip.skeleton.parents],
+        "frames": clip.frames,
+        "fps": clip.fps,
+        "duration": clip.duration,
+        "unit": conclusions.unit.value.name,
+        "metres_per_unit": conclusions.unit.value.metres,
+        "up": conclusions.up.value,
+        "root": conclusions.root.value,
+        "floor": conclusions.floor.value,
+        "cyclic": conclusions.cyclic.value,
+        "feet": None
+        if feet is None
+        else {side: leg._asdict() for side, leg in zip(("left", "right"), feet, strict=True)},
+        "reasons": dict(conclusions.sentences()),
+    }
+
+
+def detect(
+    file: str,
+    /,
+    *,
+    output: Annotated[Path | None, Parameter(name=("-o", "--output"))] = None,
+    height: float | None = None,
+    speed: float | None = None,
+    json: bool = False,
+) -> None:
+    """Find the support phases of a motion.
+
+    Parameters
+    ----------
+    file
+        A .bvh, .bvh.gz or .npz file, or sample:NAME.
+    output
+        Write them to this .supports file.
+    height
+        The paper's greatest height of the lowest point of a foot that carries [m].
+    speed
+        The paper's greatest speed of that point [m/s].
+    json
+        Print JSON.
+    """
+    clip, _ = load_motion(file, Path())
+    supports = detect_supports(clip, height=height, speed=speed)
+    if output is not None:
+        save_supports(supports, output)
+    if json:
+        answer = {
+            "cyclic": supports.cyclic,
+            "start": supports.start,
+            "phases": [
+                {"support": phase.support.symbol, "seconds": phase.duration}
+                for phase in supports.phases
+            ],
+            "fps": clip.fps,
+            "frames": clip.frames,
+            "supports": frame_symbols(supports, clip.fps, clip.frames),
+        }
+        print(json_text.dumps(answer, indent=2))
+    elif output is None:
+        print(supports_text(supports), end="")
+    else:
+        print(f"{output}: {supports}")

@@ -1,0 +1,76 @@
+"""Files that commands write: checked before the work, written after it."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+from footfall.errors import FileFormatError
+from footfall.io import save, save_gltf, save_native, save_supports, write_atomically
+from footfall.motion import Clip
+from footfall.scenario.motions import supports_path
+from footfall.support import SupportSequence
+
+__all__ = ["check_folder", "check_output", "save_motion", "write_json"]
+
+SUFFIXES = (".bvh", ".bvh.gz", ".glb", ".npz")
+"""Of the files that a motion can be written to."""
+
+
+def check_output(path: Path) -> None:
+    """Refuse a file that no motion can be written to, before any work is done for it.
+
+    Raises:
+        FileFormatError: If its suffix is unknown or its folder is missing.
+    """
+    if not path.name.lower().endswith(SUFFIXES):
+        raise FileFormatError(
+            f"cannot be written: its suffix is none of {', '.join(SUFFIXES)}", path=path
+        )
+    check_folder(path)
+
+
+def check_folder(path: Path) -> None:
+    """Refuse a file whose folder is missing.
+
+    Raises:
+        FileFormatError: If it is.
+    """
+    if not path.parent.is_dir():
+        raise FileFormatError(f"there is no folder {path.parent}; make it first", path=path)
+
+
+def save_motion(
+    clip: Clip, path: Path, supports: SupportSequence | None = None, symbols: str | None = None
+) -> None:
+    """Write a motion, and its supports beside it.
+
+    Args:
+        clip: The motion.
+        path: The file.
+        supports: What carries the body; None: nothing is written beside it.
+        symbols: The same frame by frame, for files that keep it.
+
+    Raises:
+        FileFormatError: If a file cannot be written.
+    """
+    suffix = path.suffix.lower()
+    if suffix == ".glb":
+        save_gltf(clip, path, supports=symbols)
+    elif suffix == ".npz":
+        save_native(clip, path, supports=supports)
+    else:
+        save(clip, path)
+    if supports is not None:
+        save_supports(supports, supports_path(path))
+
+
+def write_json(path: Path, content: Mapping[str, Any]) -> None:
+    """Write JSON.
+
+    Raises:
+        FileFormatError: If the file cannot be written.
+    """
+    write_atomically(path, (json.dumps(content, indent=2, ensure_ascii=False) + "\n").encode())

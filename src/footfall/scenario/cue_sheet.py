@@ -1,0 +1,211 @@
+"""A cue sheet: what starts and stops when, read from TOML and checked once.
+
+Every message names the file and the key, what is wrong with it, and what would be right.
+"""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Literal, cast
+
+from footfall.errors import FileFormatError, FootfallError, ScenarioError
+from footfall.scenario.cue_sheet_fields import Fields
+from footfall.sync.tables import Planner
+
+__all__ = ["ActionEntry", "Cue", "Scenario", "load_scenario", "parse_scenario"]
+
+Priority = float | Mapping[str, float]
+
+LONGEST = 3600.0
+"""Greatest duration of a scenario [s]."""
+
+FASTEST = 1000.0
+"""Greatest frame rate."""
+
+
+@dataclass(frozen=True, slots=True)
+class ActionEntry:
+    """A motion that cues may start and stop."""
+
+    name: str
+    """What cues call it."""
+
+    motion: str
+    """A file beside the scenario, or ``sample:NAME``."""
+
+    priority: Priority = 1.0
+    """Of the whole body, or by body part."""
+
+    fade_in: float = 0.3
+    """How long a start takes to become complete [s]."""
+
+    fade_out: float = 0.3
+    """How long a stop takes to become complete [s]."""
+
+    cyclic: bool | None = None
+    """Whether it starts over after its end; None: as the motion itself says."""
+
+    supports: str | None = None
+    """A file beside the scenario: the supports of the motion as it is performed."""
+
+    mirror: bool = False
+    """Whether left and right are exchanged."""
+
+    crop: tuple[float, float] | None = None
+    """Only this part of the motion [s]."""
+
+    clean: bool = False
+    """Whether its own planted feet are pinned at import."""
+
+
+@dataclass(frozen=True, slots=True)
+class Cue:
+    """A command at a time."""
+
+    at: float
+    """When [s]."""
+
+    kind: Literal["start", "stop", "priority"]
+    """What is commanded."""
+
+    action: str
+    """The name of the action it is about."""
+
+    priority: Priority | None = None
+    """The new priority, where it is one."""
+
+
+@dataclass(frozen=True, slots=True)
+class Scenario:
+    """Motions, and commands in order of time."""
+
+    path: Path
+    """The file; its folder is where motions are looked for."""
+
+    actions: tuple[ActionEntry, ...]
+    """At least one."""
+
+    cues: tuple[Cue, ...]
+    """In order of time; those of one time in the order of the file."""
+
+    fps: float = 60.0
+    """Frames per second."""
+
+    duration: float = 10.0
+    """How long it is performed [s]."""
+
+    planner: Planner = "footfall"
+    """The default planner, or the paper's rule."""
+
+    body: str | None = None
+    """The motion whose skeleton performs; None: the first action's."""
+
+
+def load_scenario(path: Path | str) -> Scenario:
+    """Read a scenario.
+
+    Raises:
+        FileFormatError: If the file cannot be read or is no TOML.
+        ScenarioError: If a key is unknown or not what it must be.
+    """
+    path = Path(path)
+    try:
+        text = path.read_text(encoding="utf-8")
+    except FileNotFoundError:
+        raise FileFormatError("there is no such file; check the name", path=path) from None
+    except UnicodeDecodeError as error:
+        raise FileFormatError(f"not UTF-8 text at byte {error.start}", path=path) from None
+    except OSError as error:
+        reason = (error.strerror or str(error)).lower()
+        raise FileFormatError(f"cannot be read: {reason}", path=path) from None
+    return parse_scenario(text, path)
+
+
+def parse_scenario(text: str, path: Path | str = "scenario.toml") -> Scenario:
+    """Read a scenario from its text; errors as of `load_scenario`.
+
+    Args:
+        text: The TOML.
+        path: Its file, for messages and to find motions beside it.
+    """
+    path = Path(path)
+    try:
+        table: dict[str, Any] = tomllib.loads(text)
+    except tomllib.TOMLDecodeError as error:
+        raise _not_toml(str(error), path) from None
+    try:
+        return _scenario(Fields(table, ""), path)
+    except FootfallError as error:
+        raise ScenarioError(f"{path}: {error}") from error
+
+
+def _not_toml(message: str, path: Path) -> FileFormatError:
+    where = re.search(r" \(at line (\d+), column (\d+)\)$", message)
+    if where is None:
+        return FileFormatError(f"not TOML: {message[:1].lower() + message[1:]}", path=path)
+    told = message[: where.start()]
+    told = f"not TOML at column {where[2]}: {told[:1].lower() + told[1:]}"
+    return FileFormatError(told, path=path, line=int(where[1]))
+
+
+def _scenario(fields: Fields, path: Path) -> Scenario:
+    fields.know("fps", "duration", "body", "planner", "action", "cue")
+    duration = fields.number("duration", least=0.0, most=LONGEST, default=10.0, above=True)
+    actions = tuple(_action(entry) for entry in fields.tables("action"))
+    names = [action.name for action in actions]
+    for index, name in enumerate(names):
+        if name in names[:index]:
+            raise ScenarioError(
+                f"action[{index}].name is {name!r}, as is that of "
+                f"action[{names.index(name)}]; names must differ"
+            )
+    cues = [cue for entry in fields.tables("cue") for cue in _cues(entry, names, duration)]
+    return Scenario(
+        path=path,
+        actions=actions,
+        cues=tuple(sorted(cues, key=lambda cue: cue.at)),
+        fps=fields.number("fps", least=0.0, most=FASTEST, default=60.0, above=True),
+        duration=duration,
+        planner=cast(Planner, fields.choice("planner", ("footfall", "paper"))),
+        body=fields.text("body", None),
+    )
+
+
+def _action(fields: Fields) -> ActionEntry:
+    fields.know(*(slot for slot in ActionEntry.__slots__))
+    return ActionEntry(
+        name=fields.needed_text("name", 'a name for cues, such as "walk"'),
+        motion=fields.needed_text("motion", 'a file beside the scenario or "sample:walk"'),
+        priority=fields.priority("priority", 1.0),
+        fade_in=fields.number("fade_in", least=0.0, most=60.0, default=0.3),
+        fade_out=fields.number("fade_out", least=0.0, most=60.0, default=0.3),
+        cyclic=fields.flag("cyclic", None),
+        supports=fields.text("supports", None),
+        mirror=bool(fields.flag("mirror", False)),
+        crop=fields.stretch("crop"),
+        clean=bool(fields.flag("clean", False)),
+    )
+
+
+def _cues(fields: Fields, names: list[str], duration: float) -> list[Cue]:
+    fields.know("at", "start", "stop", "priority")
+    at = fields.number("at", least=0.0, most=duration, default=None)
+    commands = [key for key in ("start", "stop", "priority") if fields.has(key)]
+    if len(commands) != 1:
+        told = " and ".join(commands) or "no command"
+        raise ScenarioError(
+            f"{fields.where} has {told}; it must have one of start, stop and priority"
+        )
+    if commands[0] == "priority":
+        changes = fields.table("priority")
+        return [
+            Cue(at, "priority", changes.one_of(name, names), changes.priority(name, 1.0))
+            for name in changes.names
+        ]
+    kind = cast(Literal["start", "stop"], commands[0])
+    action = fields.choice(kind, tuple(names))
+    return [Cue(at, kind, action)]
