@@ -62,7 +62,7 @@ def test_a_package_shows_all_that_it_takes_from_its_modules(name: str) -> None:
     taken = [
         alias.asname or alias.name
         for node in ast.walk(ast.parse(inspect.getsource(module)))
-        if isinstance(node, ast.ImportFrom) and (node.module or "").startswith("footfall")
+        if isinstance(node, ast.ImportFrom) and (node.module or "").startswith(f"{name}.")
         for alias in node.names
     ]
     missing = set(taken) - set(public_names(module) or [])
