@@ -53,7 +53,7 @@ def solve_batch(lines: Iterable[str]) -> Iterator[str]:
     """Answer one problem a line, in the same order; empty lines are passed over."""
     for line in lines:
         if line.strip():
-            yield json.dumps(solve_problem(line), ensure_ascii=False)
+            yield _ENCODER.encode(solve_problem(line))
 
 
 def solve(problem: ScheduleProblem) -> dict[str, Any]:
@@ -127,6 +127,7 @@ def describe_problem(problem: ScheduleProblem) -> str:
     return "\n".join([str(trace), *remarks])
 
 
+_ENCODER = json.JSONEncoder(ensure_ascii=False)
 _SYMBOLS = {int(support): support.symbol for support in Support}
 
 
