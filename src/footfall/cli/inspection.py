@@ -8,10 +8,10 @@ from typing import Annotated, Any
 
 from cyclopts import Parameter
 
+from footfall.cli.inputs import about, read_motion
 from footfall.detection import detect_supports, frame_symbols
 from footfall.io import Conclusions, load_with_conclusions, save_supports, supports_text
 from footfall.motion import Clip
-from footfall.scenario.motions import load_motion
 
 __all__ = ["detect", "info"]
 
@@ -84,8 +84,9 @@ def detect(
     json
         Print JSON.
     """
-    clip, _ = load_motion(file, Path())
-    supports = detect_supports(clip, height=height, speed=speed)
+    clip, _ = read_motion(file)
+    with about(file):
+        supports = detect_supports(clip, height=height, speed=speed)
     if output is not None:
         save_supports(supports, output)
     if json:

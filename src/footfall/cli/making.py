@@ -7,15 +7,16 @@ from typing import Annotated
 
 from cyclopts import Parameter
 
+from footfall.cli.inputs import about, origin_of, read_motion
 from footfall.cli.outputs import check_output, save_motion
 from footfall.detection import clean_and_tell, detect_supports
 from footfall.errors import ArgumentError
+from footfall.motion import Clip
 from footfall.motion.cycle_closing import cut_cycle
 from footfall.motion.editing import crop as crop_clip
 from footfall.motion.editing import resample as resample_clip
 from footfall.motion.mirroring import mirror as mirror_clip
 from footfall.report import Spread, clip_trace, measure
-from footfall.scenario.motions import load_motion
 from footfall.skeleton import find_anatomy
 
 __all__ = ["clean", "edit"]
@@ -50,20 +51,30 @@ def edit(
     """
     check_output(output)
     times = None if crop is None else _times(crop)
-    clip, _ = load_motion(source, Path())
-    before = len(clip.provenance)
+    original, _ = read_motion(source)
+    with about(source):
+        clip = _edited(original, times, mirror=mirror, cycle=cycle, resample=resample)
+    save_motion(clip, output)
+    print(f"{output}: {clip.frames} frames, {clip.duration:.3f} s, {clip.fps:g} per second")
+    for sentence in clip.provenance[len(original.provenance) :]:
+        print(f"  {sentence}")
+
+
+def _edited(
+    clip: Clip,
+    times: tuple[float, float] | None,
+    *,
+    mirror: bool,
+    cycle: bool,
+    resample: float | None,
+) -> Clip:
     if times is not None:
         clip = crop_clip(clip, *times)
     if mirror:
         clip = mirror_clip(clip, find_anatomy(clip.skeleton))
     if cycle:
         clip = cut_cycle(clip, find_anatomy(clip.skeleton))
-    if resample is not None:
-        clip = resample_clip(clip, resample)
-    save_motion(clip, output)
-    print(f"{output}: {clip.frames} frames, {clip.duration:.3f} s, {clip.fps:g} per second")
-    for sentence in clip.provenance[before:]:
-        print(f"  {sentence}")
+    return clip if resample is None else resample_clip(clip, resample)
 
 
 def _times(text: str) -> tuple[float, float]:
@@ -89,14 +100,16 @@ def clean(file: str, /, *, output: Annotated[Path, Parameter(name=("-o", "--outp
         The .bvh, .glb or .npz file to write; its .supports go beside it.
     """
     check_output(output)
-    clip, known = load_motion(file, Path())
-    anatomy = find_anatomy(clip.skeleton)
-    supports = detect_supports(clip, anatomy) if known is None else known
-    told = clean_and_tell(clip, supports, anatomy)
-    slips = [measure(clip_trace(one, anatomy, supports)).slip.overall for one in (clip, told.clip)]
+    clip, known = read_motion(file)
+    with about(file):
+        anatomy = find_anatomy(clip.skeleton)
+        supports = detect_supports(clip, anatomy) if known is None else known
+        told = clean_and_tell(clip, supports, anatomy)
+        slips = [
+            measure(clip_trace(one, anatomy, supports)).slip.overall for one in (clip, told.clip)
+        ]
     save_motion(told.clip, output, supports)
-    found = "detected" if known is None else "from the file beside it"
-    print(f"{output}: supports {found}: {supports}")
+    print(f"{output}: supports {origin_of(known)}: {supports}")
     print(f"  {told}")
     for when, slip in zip(("before", "after"), slips, strict=True):
         print(f"  slip {when}: {_spread_text(slip)}")

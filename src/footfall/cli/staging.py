@@ -8,12 +8,13 @@ from typing import Annotated, Any
 
 from cyclopts import Parameter
 
+from footfall.cli.inputs import about, origin_of, read_motion
 from footfall.cli.measuring import compare, motion_report, report_json
 from footfall.cli.outputs import check_folder, check_output, save_motion, write_json
 from footfall.detection import detect_supports, frame_symbols
 from footfall.report import text_table
 from footfall.scenario.cue_sheet import Scenario, load_scenario
-from footfall.scenario.motions import Motion, load_motion
+from footfall.scenario.motions import Motion
 from footfall.scenario.performance import Performance, perform, played_supports, support_text
 
 __all__ = ["blend", "report", "starts_text"]
@@ -97,9 +98,10 @@ def report(file: str, /, *, json: bool = False) -> None:
         print(text_table(comparison.reports))
         print(starts_text(ours), end="")
         return
-    clip, known = load_motion(file, Path())
-    supports = detect_supports(clip) if known is None else known
-    row = motion_report(Motion(clip, supports))
+    clip, known = read_motion(file)
+    with about(file):
+        supports = detect_supports(clip) if known is None else known
+        row = motion_report(Motion(clip, supports))
     if json:
         figures: dict[str, Any] = {
             "fps": clip.fps,
@@ -111,6 +113,5 @@ def report(file: str, /, *, json: bool = False) -> None:
         }
         print(json_text.dumps(figures, indent=2))
         return
-    found = "detected" if known is None else "from the file beside it"
-    print(f"{file}: supports {found}: {supports}")
+    print(f"{file}: supports {origin_of(known)}: {supports}")
     print(text_table({"clip": row}))

@@ -1,0 +1,147 @@
+"""The commands do what they say, and tell in one line what is wrong with their input."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+import footfall as ff
+from footfall.cli import main
+from footfall.samples import sample_names
+
+SHEET = """
+duration = 0.5
+[[action]]
+name = "walk"
+motion = "sample:walk"
+[[cue]]
+at = 0.1
+start = "walk"
+"""
+
+Captured = pytest.CaptureFixture[str]
+
+
+@pytest.fixture
+def sheet(tmp_path: Path) -> Path:
+    path = tmp_path / "sheet.toml"
+    path.write_text(SHEET)
+    return path
+
+
+WRONG = {
+    "edit sample:trot out.bvh": ("no sample named 'trot'; there are: " + ", ".join(sample_names())),
+    "edit sample:walk out.xyz": (
+        "out.xyz: cannot be written: its suffix is none of .bvh, .bvh.gz, .glb, .npz"
+    ),
+    "edit sample:walk no/out.bvh": "no/out.bvh: there is no folder no; make it first",
+    "edit sample:kick out.bvh --crop 1": (
+        "--crop is '1'; it must be two times in seconds, such as 0.5:1.8"
+    ),
+    "edit sample:kick out.bvh --crop 1:90": (
+        "sample:kick: clip 'kick': the crop's end is 90 s; it must be within 0..2.1 s"
+    ),
+    "info none.bvh": "none.bvh: there is no such file; check the name",
+    "blend none.toml -o out.bvh": "none.toml: there is no such file; check the name",
+    "report none.toml": "none.toml: there is no such file; check the name",
+    "detect sample:walk --height -1": (
+        "sample:walk: height is -1.0; a limit must be finite and > 0"
+    ),
+    "sync": 'no sequences; give at least one, such as "R D L D*", or --batch FILE',
+    "sync R* --start a": "--start is 'a'; it must be slot numbers such as 0,1",
+    "sync X": (
+        "sequences[0], 'X': 'X' in 'X' is no support phase; write R, L, D or -, with its "
+        "seconds if wanted, such as R.38, and * at the very end for a cycle"
+    ),
+    "demo --motions none": "--motions is none; it must be a folder with motions",
+    "blend": 'Command "blend" parameter SCENARIO requires an argument.',
+}
+
+
+@pytest.mark.parametrize("words", WRONG)
+def test_wrong_input_is_told_in_one_line_and_nothing_is_written(
+    words: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: Captured
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert main(words.split()) == 2
+    out, err = capsys.readouterr()
+    assert (out, err) == ("", f"footfall: {WRONG[words]}\n")
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_info_tells_what_was_concluded_and_why(tmp_path: Path, capsys: Captured) -> None:
+    path = tmp_path / "walk.bvh"
+    ff.save(ff.sample("walk")[0], path)
+    assert main(["info", str(path), "--json"]) == 0
+    told = json.loads(capsys.readouterr().out)
+    assert (told["fps"], told["frames"], told["unit"], told["cyclic"]) == (60.0, 65, "m", True)
+    assert set(told["feet"]) == {"left", "right"}
+    assert set(told["reasons"]) >= {"unit", "up", "root", "fps", "feet", "floor", "cyclic"}
+
+
+def test_detect_writes_supports_that_are_read_again(tmp_path: Path, capsys: Captured) -> None:
+    path = tmp_path / "run.supports"
+    assert main(["detect", "sample:run", "-o", str(path)]) == 0
+    assert capsys.readouterr().out.startswith(f"{path}: ")
+    symbols = [phase.support.symbol for phase in ff.load_supports(path).phases]
+    assert symbols == ["R", "-", "L", "-"]
+
+
+def test_edit_crops_mirrors_and_resamples(tmp_path: Path, capsys: Captured) -> None:
+    path = tmp_path / "out.npz"
+    words = f"edit sample:kick {path} --crop 0.5:1.5 --mirror --resample 30"
+    assert main(words.split()) == 0
+    clip = ff.load(path)
+    assert (clip.frames, clip.fps) == (31, 30.0)
+    assert capsys.readouterr().out.splitlines()[0] == f"{path}: 31 frames, 1.000 s, 30 per second"
+
+
+def test_clean_writes_the_motion_and_its_supports(tmp_path: Path, capsys: Captured) -> None:
+    path = tmp_path / "clean.npz"
+    assert main(["clean", "sample:walk", "-o", str(path)]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert [line.split(":")[0] for line in lines[-2:]] == ["  slip before", "  slip after"]
+    assert sorted(one.name for one in tmp_path.iterdir()) == ["clean.npz", "clean.supports"]
+
+
+def test_sync_answers_in_json(capsys: Captured) -> None:
+    words = ["sync", "R D L D*", "- R L", "--start", "0,1", "--slots", "4", "--planner", "paper"]
+    assert main([*words, "--json"]) == 0
+    answer = json.loads(capsys.readouterr().out)
+    assert set(answer) == {"result", "rows", "started", "durations", "muted", "error"}
+    assert len(answer["result"]) == 4
+
+
+def test_sync_answers_a_batch_line_by_line(tmp_path: Path, capsys: Captured) -> None:
+    path = tmp_path / "problems.jsonl"
+    path.write_text('{"sequences": ["R L*"], "slots": 3}\nnone\n')
+    assert main(["sync", "--batch", str(path)]) == 0
+    answers = [json.loads(line) for line in capsys.readouterr().out.splitlines()]
+    assert answers[0]["result"] == ["R", "L", "R"]
+    assert answers[1] == {"error": "not JSON at column 1: Expecting value"}
+
+
+def test_report_measures_a_motion_in_its_supports(capsys: Captured) -> None:
+    assert main(["report", "sample:walk", "--json"]) == 0
+    told = json.loads(capsys.readouterr().out)
+    assert (told["fps"], told["frames"], len(told["supports"])) == (60.0, 65, 65)
+    assert list(told["rows"]) == ["clip"]
+    assert told["rows"]["clip"]["slip_mm"]["max"] < 2.0
+
+
+def test_blend_writes_motion_supports_and_figures(
+    sheet: Path, tmp_path: Path, capsys: Captured
+) -> None:
+    path, figures = tmp_path / "out.npz", tmp_path / "figures.json"
+    assert main(["blend", str(sheet), "-o", str(path), "--json", str(figures)]) == 0
+    assert capsys.readouterr().out.splitlines() == [
+        f"{path}: 31 frames, 0.500 s",
+        "  walk: commanded at 0.10 s, started at once",
+    ]
+    told = json.loads(figures.read_text())
+    assert (told["fps"], told["frames"], len(told["supports"])) == (60.0, 31, 31)
+    assert told["starts"] == [{"action": "walk", "commanded": 0.1, "actual": 0.1, "reason": ""}]
+    assert list(told["rows"]) == ["cross-fade", "paper", "no-footprints", "footfall"]
+    assert ff.load_supports(tmp_path / "out.supports").duration == pytest.approx(0.5)
