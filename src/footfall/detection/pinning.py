@@ -105,10 +105,11 @@ def pinned_offsets(
     if not spans:
         return np.zeros((frames, 3))
     levels = resting_levels(points, spans, fps)
-    if not cyclic:
-        return _spread(*_fitted(points, levels, spans, fps, 0.0), spans, fps, 0.0)
     period = frames - 1
     duration = period / fps
+    if not cyclic:
+        spans = [_open_ended(span, duration) for span in spans]
+        return _spread(*_fitted(points, levels, spans, fps, 0.0), spans, fps, 0.0)
     if spans[0].end - spans[0].start >= duration - 1e-9:
         return _closed(points, levels, fps)
     # One cycle before, so that the first span is whole, and two after, for the last one.
@@ -120,6 +121,14 @@ def pinned_offsets(
     ]
     fitted = _fitted(laid_out, levels, repeated, fps, -duration)
     return _spread(*fitted, repeated, fps, -duration)[period : 2 * period + 1]
+
+
+def _open_ended(span: FootSpan, duration: float) -> FootSpan:
+    """Return a span without edges where the clip itself begins or ends: there nothing comes."""
+    return FootSpan(
+        span.start - _EDGE if span.start <= 1e-6 else span.start,
+        span.end + _EDGE if span.end >= duration - 1e-6 else span.end,
+    )
 
 
 def _carrying_moves(points: Positions, levels: Floats, fps: float) -> tuple[Floats, Floats]:
