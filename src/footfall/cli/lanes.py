@@ -13,7 +13,10 @@ __all__ = ["performance_timeline"]
 
 
 def performance_timeline(performance: Performance) -> Timeline:
-    """Return the schedule of a performance, its actions in the order of the cue sheet."""
+    """Return the schedule of a performance, its actions in the order of the cue sheet.
+
+    Actions that played without any part in the legs have no lane: they stand on nothing.
+    """
     recording = performance.recording
     lanes = tuple(
         ActionLane(
@@ -23,6 +26,7 @@ def performance_timeline(performance: Performance) -> Timeline:
             _marks(performance, name),
         )
         for index, name in enumerate(recording.actions)
+        if recording.shares[:, index].any() or np.isnan(recording.clip_times[:, index]).all()
     )
     return Timeline(recording.fps, support_text(performance.supports), lanes)
 
