@@ -64,7 +64,8 @@ def inner_kernel(function: Function) -> Function:
     As `kernel`, but without the entry from Python, which for arguments of many arrays takes
     longer to compile than the function itself.
     """
-    compiled: Any = numba.njit(  # pyright: ignore[reportUnknownMemberType]
+    njit: Any = numba.njit  # pyright: ignore[reportUnknownMemberType]
+    compiled: Any = njit(
         cache=True,
         nogil=True,
         error_model="numpy",

@@ -6,7 +6,7 @@ import math
 
 from footfall.arrays import Positions
 from footfall.compilation import kernel
-from footfall.skeleton.normalized import Rig
+from footfall.skeleton.rig import Rig
 from footfall.skeleton.two_bone_ik import SOFT_REACH
 
 __all__ = ["FALL_SPEED", "RISE_SPEED", "needed_drop"]

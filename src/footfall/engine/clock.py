@@ -7,15 +7,12 @@ advance is cut wherever a slot ends, so that a long frame and two short ones agr
 from __future__ import annotations
 
 from footfall.compilation import inner_kernel
+from footfall.engine.durations import rebuild_warps, update_weights
+from footfall.engine.record import SEATS, Character
 from footfall.engine.shelf import Shelf, support_at
-from footfall.engine.slots import (
-    begin_leaving,
-    enter_slot,
-    rebuild_warps,
-    retry_waiting,
-    update_weights,
-)
-from footfall.engine.state import EMPTY, LEAVING, RUNNING, SEATS, Character
+from footfall.engine.slots import begin_leaving, enter_slot
+from footfall.engine.starting import retry_waiting
+from footfall.engine.state import EMPTY, LEAVING, RUNNING
 from footfall.skeleton import BodyPart
 from footfall.support import Support
 from footfall.sync.tables import Rules

@@ -7,9 +7,11 @@ from typing import Any
 import numpy.typing as npt
 
 from footfall.compilation import inner_kernel, kernel
+from footfall.engine.record import SEATS, Character
 from footfall.engine.shelf import Shelf
-from footfall.engine.slots import NONE, begin_leaving, enter_action
-from footfall.engine.state import EMPTY, RUNNING, SEATS, WAITING, Character
+from footfall.engine.slots import begin_leaving
+from footfall.engine.starting import NONE, enter_action
+from footfall.engine.state import EMPTY, RUNNING, WAITING
 from footfall.skeleton import BodyPart
 from footfall.sync.tables import Rules
 from footfall.timing import reverse_fade

@@ -9,11 +9,13 @@ import numpy as np
 import numpy.typing as npt
 
 from footfall.adaptation import Plane
-from footfall.arrays import Indices, Positions, Rotations, Supports, Weights
+from footfall.arrays import Indices, Positions, Rotations, Supports
 from footfall.engine.commands import NO_SEAT, start_row, stop_row
-from footfall.engine.library import MotionLibrary, parse_priority
+from footfall.engine.library import MotionLibrary
 from footfall.engine.pipeline import advance_rows
-from footfall.engine.state import EMPTY, SEATS, new_characters, new_workspace
+from footfall.engine.priorities import parse_priority
+from footfall.engine.record import SEATS
+from footfall.engine.state import EMPTY, new_characters, new_workspace
 from footfall.errors import ArgumentError, SkeletonError
 from footfall.skeleton import Skeleton
 from footfall.sync.tables import Planner, rules_of
@@ -71,7 +73,7 @@ class Crowd:
         self.size = size
         self.skeleton = skeleton or library.skeleton
         self._planner: Planner = planner
-        self._rules = rules_of(planner)
+        self._rules = rules_of(planner, ended="stop" if planner == "paper" else None)
         self._rig = library.rig(self.skeleton)
         self._shelf = library.shelf(planner)
         self._known = len(library.actions)
@@ -243,8 +245,3 @@ class Crowd:
     def supports(self) -> Supports:
         """What carries each character, values of `Support`, shape (rows,)."""
         return self._characters["support"]
-
-    @property
-    def weights(self) -> Weights:
-        """Weight of each seat on each body part, the neutral motion last, (rows, 9, parts)."""
-        return self._characters["weights"]

@@ -11,27 +11,19 @@ import numpy as np
 
 from footfall.arrays import Floats, SmallFloats
 from footfall.engine.packing import PackedClip, pack_clip, pack_standing
+from footfall.engine.priorities import parse_priority
 from footfall.engine.shelf import Shelf, entry_type
 from footfall.errors import ArgumentError, ClipError, SkeletonError, UnknownNameError
 from footfall.motion import Clip
-from footfall.skeleton import Anatomy, BodyPart, Skeleton, find_anatomy
-from footfall.skeleton.normalized import Rig, rig_of
+from footfall.skeleton import Anatomy, Skeleton, find_anatomy
+from footfall.skeleton.rig import Rig, rig_of
 from footfall.support import SupportSequence
 from footfall.sync.tables import Planner, SequenceTable, check_registration
 
-__all__ = ["Action", "MotionLibrary", "parse_priority"]
+__all__ = ["Action", "MotionLibrary"]
 
 LONGEST_DISAGREEMENT = 0.02
 """How far a support sequence may be from lasting as long as its clip [s]."""
-
-PART_NAMES = {
-    "legs": (BodyPart.LEGS,),
-    "trunk": (BodyPart.TRUNK,),
-    "head": (BodyPart.HEAD,),
-    "arms": (BodyPart.LEFT_ARM, BodyPart.RIGHT_ARM),
-    "left_arm": (BodyPart.LEFT_ARM,),
-    "right_arm": (BodyPart.RIGHT_ARM,),
-}
 
 
 @dataclass(frozen=True, eq=False)
@@ -58,30 +50,6 @@ class Action:
 
     packed: PackedClip
     """The clip, normalized."""
-
-
-def parse_priority(priority: float | Mapping[str, float]) -> Floats:
-    """Return one priority a body part, shape (parts,).
-
-    Args:
-        priority: One number for the whole body, or numbers >= 0 for some of its parts by name:
-            legs, trunk, head, arms, left_arm, right_arm. Parts that are not named get 0.
-
-    Raises:
-        ArgumentError: If a number is negative or not finite, or all are zero.
-        UnknownNameError: If a part is unknown.
-    """
-    values = np.zeros(len(BodyPart))
-    if isinstance(priority, Mapping):
-        for name, number in priority.items():
-            if name not in PART_NAMES:
-                raise UnknownNameError("body part", name, PART_NAMES)
-            values[list(PART_NAMES[name])] = number
-    else:
-        values[:] = priority
-    if not (np.isfinite(values).all() and (values >= 0.0).all() and values.any()):
-        raise ArgumentError(f"priority {priority}; it must be finite, >= 0 and not all zero")
-    return values
 
 
 class MotionLibrary:

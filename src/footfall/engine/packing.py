@@ -10,7 +10,8 @@ from footfall.arrays import Flags, Floats, Positions, Rotations, SmallFloats
 from footfall.geometry import conjugate, multiply
 from footfall.motion import Clip, extract_root_path
 from footfall.skeleton import Anatomy
-from footfall.skeleton.normalized import Rig, channel_count, normalize, rig_of
+from footfall.skeleton.normalized import channel_count, normalize
+from footfall.skeleton.rig import Rig, rig_of
 from footfall.support import SupportSequence
 
 __all__ = ["PackedClip", "pack_clip", "pack_standing"]

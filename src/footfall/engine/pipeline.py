@@ -16,9 +16,10 @@ from footfall.compilation import inner_kernel, kernel
 from footfall.engine.clock import pass_time
 from footfall.engine.placing import keep_footprints, place_body, write_world
 from footfall.engine.pose import blend_poses, locate_feet, move_root
+from footfall.engine.record import Character
 from footfall.engine.shelf import Shelf
-from footfall.engine.state import Character, Workspace
-from footfall.skeleton.normalized import Rig
+from footfall.engine.state import Workspace
+from footfall.skeleton.rig import Rig
 from footfall.sync.tables import Rules
 
 __all__ = ["LONGEST_STEP", "advance_rows"]
@@ -28,7 +29,7 @@ LONGEST_STEP = 1.0 / 30.0
 
 
 @inner_kernel
-def advance_row(
+def _advance_row(
     shelf: Shelf, rig: Rig, me: Character, work: Workspace, rules: Rules, dt: float
 ) -> None:
     """Advance one character by `dt` seconds, at most `LONGEST_STEP`."""
@@ -74,6 +75,6 @@ def advance_rows(
     for row in range(characters.shape[0]):
         me: Character = characters[row]
         for _ in range(steps):
-            advance_row(shelf, rig, me, work, rules, dt / steps)
+            _advance_row(shelf, rig, me, work, rules, dt / steps)
         # 9. Into the world.
         write_world(shelf, me, work, world_rotations[row], world_positions[row])

@@ -8,10 +8,12 @@ from footfall.arrays import Positions, Rotations
 from footfall.blending.root import mix_point
 from footfall.compilation import inner_kernel
 from footfall.engine.pose import carries
+from footfall.engine.record import Character
 from footfall.engine.shelf import Shelf
-from footfall.engine.state import Character, Workspace
+from footfall.engine.state import Workspace
 from footfall.geometry import quaternions, transforms
-from footfall.skeleton.normalized import Rig, place_chain, reach_ankle
+from footfall.skeleton.normalized import place_chain, reach_ankle
+from footfall.skeleton.rig import Rig
 
 __all__ = ["keep_footprints", "place_body", "write_world"]
 

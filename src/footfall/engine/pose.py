@@ -6,11 +6,12 @@ from footfall.adaptation.footprints import toe_share
 from footfall.blending.poses import add_pose, clear_pose, finish_pose
 from footfall.blending.root import correct_displacement, foot_slide
 from footfall.compilation import inner_kernel
+from footfall.engine.record import SEATS, Character
 from footfall.engine.shelf import Shelf, key_at, read_points, travel
-from footfall.engine.state import RUNNING, SEATS, Character, Workspace
+from footfall.engine.state import RUNNING, Workspace
 from footfall.geometry import quaternions, transforms
 from footfall.skeleton import BodyPart
-from footfall.skeleton.normalized import Rig
+from footfall.skeleton.rig import Rig
 from footfall.support import Support
 
 __all__ = ["blend_poses", "carries", "locate_feet", "move_root"]

@@ -8,7 +8,8 @@ import numpy as np
 
 from footfall.arrays import Flags, Floats, Positions, Rotations, Supports, Weights, frozen
 from footfall.engine.character import Character
-from footfall.engine.state import RUNNING, SEATS
+from footfall.engine.record import SEATS
+from footfall.engine.state import RUNNING
 from footfall.geometry import conjugate, multiply
 from footfall.motion import Clip
 from footfall.skeleton import BodyPart, Skeleton

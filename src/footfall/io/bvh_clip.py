@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 
+from footfall.arrays import Positions
 from footfall.errors import ArgumentError, ClipError, FileFormatError, SkeletonError
 from footfall.io.bvh_rig import BvhRig
 from footfall.io.conclusions import Conclusion, Conclusions
@@ -99,15 +100,10 @@ def _assembled(
     metres = unit_found.value.metres
     places = metres * rig.translations.get(0, np.zeros((rig.frames, 3)))
     body = Skeleton(raw.names, raw.parents, metres * raw.rest_offsets, metres * raw.tip_offsets)
-    if up is None:
-        assert not isinstance(anatomy, str)
-        up_found = conclude_up(body, anatomy, places, rig.rotations, path)
-    else:
-        up_found = Conclusion(up, f"{up}, as asked for")
+    up_found = _conclude_up(up, body, anatomy, places, rig, path)
     skeleton, places, rotations = turned_up(body, places, rig.rotations, up_found.value)
     world_rotations, positions = world_poses(skeleton, places, rotations)
-    # Foot points are lengths: found anew, in metres and with y up.
-    anatomy = anatomy if isinstance(anatomy, str) else legs_or_reason(skeleton)
+    anatomy = _found_anew(anatomy, skeleton)
     conclusions = Conclusions(
         unit=unit_found,
         up=up_found,
@@ -130,6 +126,25 @@ def _assembled(
         provenance=_provenance(path, conclusions, rig),
     )
     return clip, conclusions
+
+
+def _conclude_up(
+    up: str | None,
+    body: Skeleton,
+    anatomy: Anatomy | str,
+    places: Positions,
+    rig: BvhRig,
+    path: Path,
+) -> Conclusion[str]:
+    if up is not None:
+        return Conclusion(up, f"{up}, as asked for")
+    assert not isinstance(anatomy, str)
+    return conclude_up(body, anatomy, places, rig.rotations, path)
+
+
+def _found_anew(anatomy: Anatomy | str, skeleton: Skeleton) -> Anatomy | str:
+    """Find the legs again: foot points are lengths, now in metres and with y up."""
+    return anatomy if isinstance(anatomy, str) else legs_or_reason(skeleton)
 
 
 def _conclude_unit(

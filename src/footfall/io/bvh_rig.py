@@ -17,7 +17,7 @@ from footfall.io.bvh_hierarchy import BvhJoint, HierarchyReader
 from footfall.io.bvh_motion import BvhMotion, parse_motion
 from footfall.io.raw_file import decoded
 
-__all__ = ["BvhRig", "parse_bvh"]
+__all__ = ["BvhRig", "parse_bvh", "turn_joints"]
 
 
 @dataclass(frozen=True, slots=True)

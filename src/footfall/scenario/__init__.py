@@ -1,15 +1,5 @@
 """A cue sheet: what starts and stops when."""
 
-from footfall.scenario.cue_sheet import ActionEntry, Cue, Scenario, load_scenario, parse_scenario
-from footfall.scenario.performance import Performance, StartCue, perform
+from footfall.scenario.schedule_problem import describe_problem, solve_batch, solve_problem
 
-__all__ = [
-    "ActionEntry",
-    "Cue",
-    "Performance",
-    "Scenario",
-    "StartCue",
-    "load_scenario",
-    "parse_scenario",
-    "perform",
-]
+__all__ = ["describe_problem", "solve_batch", "solve_problem"]

@@ -12,113 +12,31 @@ weighted sum of them. Lengths are shares of the leg's length.
 | 3 × 2 | position of each ankle relative to the root ÷ leg length |
 
 The rotations of thigh and shank are kept beside the position of the ankle: they say which way
-the knee looks and how the leg is twisted, also where it is straight, and `reach_ankle` turns them by
-as little as it takes to reach the ankle. One clip alone thus comes back as it was.
+the knee looks and how the leg is twisted, also where it is straight, and `reach_ankle` turns
+them by as little as it takes to reach the ankle. One clip alone thus comes back as it was.
 """
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
 import numpy as np
 
-from footfall.arrays import Floats, Indices, Positions, Rotations, SmallFloats
+from footfall.arrays import Floats, Positions, Rotations, SmallFloats
 from footfall.compilation import kernel
 from footfall.geometry import conjugate, continuous, from_yaw, multiply, quaternions, rotate
-from footfall.skeleton.anatomy import Anatomy, Leg
 from footfall.skeleton.kinematics import pose_forward, world_poses
+from footfall.skeleton.rig import FOOT, THIGH, Rig
 from footfall.skeleton.skeleton import Skeleton
 from footfall.skeleton.two_bone_ik import reach_point
 
-__all__ = ["Rig", "channel_count", "normalize", "place_chain", "reach_ankle", "rig_of"]
+__all__ = ["channel_count", "normalize", "place_chain", "reach_ankle"]
 
 EFFECTORS = 7
 """Numbers that are lengths: the pelvis' height and two ankle positions."""
-
-FREE, THIGH, SHANK, FOOT = 0, 1, 2, 3
-
-
-class Rig(NamedTuple):
-    """A skeleton and its anatomy as the kernels take them. Feet are in the order left, right."""
-
-    parents: Indices
-    """Parent of each joint, shape (joints,)."""
-
-    rest_offsets: Positions
-    """Joint in its parent's frame [m], shape (joints, 3)."""
-
-    parts: Indices
-    """`BodyPart` of each joint, shape (joints,)."""
-
-    limbs: Indices
-    """Hip, knee and ankle of each leg, shape (2, 3)."""
-
-    leg_sides: Indices
-    """0 or 1 for a joint of the left or right leg, else -1, shape (joints,)."""
-
-    leg_segments: Indices
-    """What a leg's joint moves with: thigh 1, shank 2, foot 3; else 0, shape (joints,)."""
-
-    foot_points: Positions
-    """Heel and toe in the ankle's frame [m], shape (2 feet, 2 points, 3)."""
-
-    leg_length: float
-    """Thigh and shank together, mean of both legs [m]."""
 
 
 def channel_count(joints: int) -> int:
     """Return how many numbers a normalized pose of so many joints has."""
     return 4 * joints + 8 + EFFECTORS
-
-
-def rig_of(skeleton: Skeleton, anatomy: Anatomy) -> Rig:
-    """Pack a skeleton and its anatomy for the kernels."""
-    sides = np.full(skeleton.count, -1, dtype=np.int64)
-    segments = np.zeros(skeleton.count, dtype=np.int64)
-    for side, leg in enumerate(anatomy.legs):
-        for joint in range(skeleton.count):
-            parent = int(skeleton.parents[joint])
-            if joint == leg.hip:
-                segment = THIGH
-            elif parent < 0 or sides[parent] != side:
-                continue
-            elif joint == leg.knee:
-                segment = SHANK
-            else:
-                segment = FOOT if joint == leg.ankle else int(segments[parent])
-            sides[joint], segments[joint] = side, segment
-    lengths = [_chain_length(skeleton, leg.hip, leg.ankle) for leg in anatomy.legs]
-    return Rig(
-        parents=np.array(skeleton.parents),
-        rest_offsets=np.array(skeleton.rest_offsets),
-        parts=np.array(anatomy.parts, dtype=np.int64),
-        limbs=np.array([[leg.hip, leg.knee, leg.ankle] for leg in anatomy.legs], dtype=np.int64),
-        leg_sides=sides,
-        leg_segments=segments,
-        foot_points=np.array([_foot_points(skeleton, leg) for leg in anatomy.legs]),
-        leg_length=float(np.mean(lengths)),
-    )
-
-
-def _chain_length(skeleton: Skeleton, start: int, end: int) -> float:
-    length = 0.0
-    joint = end
-    while joint != start:
-        length += skeleton.bone_length(joint)
-        joint = int(skeleton.parents[joint])
-    return length
-
-
-def _foot_points(skeleton: Skeleton, leg: Leg) -> Positions:
-    """Return heel and toe in the ankle's frame, the foot's own joints at rest."""
-    points = np.zeros((2, 3))
-    for row, point in enumerate((leg.heel, leg.toe)):
-        joint = point.joint
-        points[row] = point.offset
-        while joint != leg.ankle:
-            points[row] += skeleton.rest_offsets[joint]
-            joint = int(skeleton.parents[joint])
-    return points
 
 
 def normalize(

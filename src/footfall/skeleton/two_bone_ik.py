@@ -11,6 +11,9 @@ import math
 from footfall.compilation import kernel
 from footfall.geometry import quaternions
 
+Vector = tuple[float, float, float]
+Quaternion = tuple[float, float, float, float]
+
 __all__ = ["LONGEST_REACH", "SOFT_REACH", "reach_point", "softened_reach"]
 
 SOFT_REACH = 0.985
@@ -59,18 +62,34 @@ def _bent_length(upper: float, lower: float, distance: float) -> float:
 
 
 @kernel
+def _bending_direction(upper: Vector, line: Vector, hint: Vector, moved: float) -> Vector:
+    """Return the unit direction across a limb's line in which its middle joint stands."""
+    along = upper[0] * line[0] + upper[1] * line[1] + upper[2] * line[2]
+    px = upper[0] - along * line[0]
+    py = upper[1] - along * line[1]
+    pz = upper[2] - along * line[2]
+    across = math.sqrt(px * px + py * py + pz * pz)
+    pull = _HINT_SHARE * max(0.0, 1.0 - across / _HINT_BEND) * min(1.0, moved / _HINT_MOVE)
+    along = hint[0] * line[0] + hint[1] * line[1] + hint[2] * line[2]
+    px += pull * (hint[0] - along * line[0])
+    py += pull * (hint[1] - along * line[1])
+    pz += pull * (hint[2] - along * line[2])
+    across = math.sqrt(px * px + py * py + pz * pz)
+    if across < 1e-9:
+        px, py, pz = hint[0] - along * line[0], hint[1] - along * line[1], hint[2] - along * line[2]
+        across = math.sqrt(px * px + py * py + pz * pz)
+    if across < 1e-9:
+        px, py, pz = -line[1], line[0], 0.0
+        if line[0] * line[0] + line[1] * line[1] < 1e-6:
+            px, py, pz = 1.0, 0.0, 0.0
+        across = math.sqrt(px * px + py * py + pz * pz)
+    return px / across, py / across, pz / across
+
+
+@kernel
 def reach_point(
-    start: tuple[float, float, float],
-    middle: tuple[float, float, float],
-    end: tuple[float, float, float],
-    target: tuple[float, float, float],
-    hint: tuple[float, float, float],
-) -> tuple[
-    tuple[float, float, float, float],
-    tuple[float, float, float, float],
-    tuple[float, float, float],
-    tuple[float, float, float],
-]:
+    start: Vector, middle: Vector, end: Vector, target: Vector, hint: Vector
+) -> tuple[Quaternion, Quaternion, Vector, Vector]:
     """Turn both bones of a limb so that its end reaches for a target.
 
     Args:
@@ -100,29 +119,12 @@ def reach_point(
     reach = max(reach, abs(upper - lower) + 1e-6 * (upper + lower))
     dx, dy, dz = tx / distance, ty / distance, tz / distance
     sw, sx, sy, sz = quaternions.between(ex, ey, ez, tx, ty, tz)
-    # The bending direction: across the line to the target, towards the swung middle joint.
-    px, py, pz = quaternions.rotate(sw, sx, sy, sz, ux / upper, uy / upper, uz / upper)
-    gx, gy, gz = px, py, pz
-    along = px * dx + py * dy + pz * dz
-    px, py, pz = px - along * dx, py - along * dy, pz - along * dz
-    across = math.sqrt(px * px + py * py + pz * pz)
+    gx, gy, gz = quaternions.rotate(sw, sx, sy, sz, ux / upper, uy / upper, uz / upper)
     moved = math.sqrt((tx - ex) ** 2 + (ty - ey) ** 2 + (tz - ez) ** 2)
-    pull = _HINT_SHARE * max(0.0, 1.0 - across / _HINT_BEND) * min(1.0, moved / _HINT_MOVE)
-    along = hint[0] * dx + hint[1] * dy + hint[2] * dz
-    hx, hy, hz = hint[0] - along * dx, hint[1] - along * dy, hint[2] - along * dz
-    px, py, pz = px + pull * hx, py + pull * hy, pz + pull * hz
-    across = math.sqrt(px * px + py * py + pz * pz)
-    if across < 1e-6:
-        px, py, pz = hx, hy, hz
-        across = math.sqrt(px * px + py * py + pz * pz)
-    if across < 1e-9:
-        px, py, pz = -dy, dx, 0.0
-        if dx * dx + dy * dy < 1e-6:
-            px, py, pz = 1.0, 0.0, 0.0
-        across = math.sqrt(px * px + py * py + pz * pz)
+    px, py, pz = _bending_direction((gx, gy, gz), (dx, dy, dz), hint, moved)
     bent = _bent_length(upper, lower, reach)
     bent = min(max(bent, -upper), upper)
-    height = math.sqrt(max(upper * upper - bent * bent, 0.0)) / across
+    height = math.sqrt(max(upper * upper - bent * bent, 0.0))
     mx, my, mz = bent * dx + height * px, bent * dy + height * py, bent * dz + height * pz
     uw, vx, vy, vz = quaternions.between(gx, gy, gz, mx, my, mz)
     upper_turn = quaternions.product(uw, vx, vy, vz, sw, sx, sy, sz)

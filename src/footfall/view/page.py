@@ -23,7 +23,7 @@ from footfall.view.page_data import player_json
 from footfall.view.strip import strip_svg
 from footfall.view.timeline import timeline_svg
 
-__all__ = ["DemoPage", "write_demo_page"]
+__all__ = ["DemoPage", "demo_page_html", "write_demo_page"]
 
 _SCRIPTS = ("takes.js", "drawing.js", "figure.js", "player.js")
 """Joined into one module, in the order in which they use each other."""

@@ -10,7 +10,7 @@ from footfall.view.lanes import ActionLane, CueMark, LanePhase, Timeline
 from footfall.view.palette import SUPPORT_COLORS, SUPPORT_NAMES, readable_symbol
 from footfall.view.svg import Picture, points_text
 
-__all__ = ["timeline_svg"]
+__all__ = ["runs", "timeline_svg"]
 
 WIDTH = 1200.0
 LEFT, RIGHT = 132.0, 24.0

@@ -1,0 +1,239 @@
+"""What a character remembers from frame to frame, and what a kernel works on: one record."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+from footfall.arrays import Flags, Floats, Indices, Positions, Seconds, Supports, Weights
+from footfall.skeleton import BodyPart
+
+__all__ = ["COLUMNS", "SEATS", "Character"]
+
+SEATS = 8
+"""How many actions a character can run, wait for and fade out of at the same time."""
+
+PARTS = len(BodyPart)
+
+COLUMNS = -1
+"""Stands for the columns of the window, look-ahead + 2."""
+
+
+class Character:
+    """One row of a crowd, as the kernels see it: a record of `character_type`.
+
+    "Seats" is `SEATS`; feet are in the order left, right.
+    """
+
+    clock: float
+    """Clock time [s]."""
+
+    root: Annotated[Floats, 3]
+    """Where the root is on the ground: x [m], z [m], heading [rad], shape (3,)."""
+
+    ground_height: float
+    """Height of the flat ground [m]."""
+
+    synchronized: bool
+    """Whether actions are synchronized, or play side by side."""
+
+    printed: bool
+    """Whether footprints are kept."""
+
+    fresh: bool
+    """Whether nothing has been shown yet: the first action then starts at full level."""
+
+    support: int
+    """What carries the body now."""
+
+    starts: int
+    """How many actions have been started, which orders them by age."""
+
+    slot_index: int
+    """How many slots have been entered."""
+
+    slot_progress: float
+    """Share of the slot that is over (the common phase of S-22)."""
+
+    slot_duration: float
+    """How long the slot lasts at the present weights; 0 where nothing is synchronized."""
+
+    status: Annotated[Indices, SEATS]
+    """`EMPTY`, `WAITING`, `RUNNING` or `LEAVING`, shape (seats,)."""
+
+    action: Annotated[Indices, SEATS]
+    """Which action of the library, shape (seats,)."""
+
+    priorities: Annotated[
+        Floats,
+        SEATS,
+        PARTS,
+    ]
+    """Priority on each body part, >= 0, shape (seats, parts)."""
+
+    fade_asked: Annotated[Seconds, SEATS]
+    """How long the present fade should take [s], shape (seats,)."""
+
+    fade_progress: Annotated[
+        Floats,
+        SEATS,
+        2,
+    ]
+    """How far it is, on the legs and on the rest of the body, shape (seats, 2)."""
+
+    fade_elapsed: Annotated[
+        Seconds,
+        SEATS,
+        2,
+    ]
+    """How long it has taken so far, likewise [s]."""
+
+    clip_time: Annotated[Seconds, SEATS]
+    """Where each clip is, past its end too [s], shape (seats,)."""
+
+    rate: Annotated[Floats, SEATS]
+    """Clip time per clock time, shape (seats,)."""
+
+    segment: Annotated[
+        Floats,
+        SEATS,
+        6,
+    ]
+    """The time warp of the slot: t0, h0, v0, t1, h1, v1, shape (seats, 6)."""
+
+    target: Annotated[Seconds, SEATS]
+    """Clip time at the end of the slot, shape (seats,)."""
+
+    natural: Annotated[Seconds, SEATS]
+    """What the slot would last at the clip's own speed [s], shape (seats,)."""
+
+    posed_time: Annotated[Seconds, SEATS]
+    """Clip time of the pose shown last, shape (seats,)."""
+
+    seat_points: Annotated[
+        Positions,
+        SEATS + 1,
+        2,
+        2,
+        3,
+    ]
+    """Heel and toe of each foot in the pose shown last, relative to the clip's root, in leg
+    lengths; the last seat is the neutral motion. Shape (seats + 1, 2, 2, 3)."""
+
+    blended_points: Annotated[
+        Positions,
+        2,
+        2,
+        3,
+    ]
+    """The same after blending, relative to the root [m], shape (2, 2, 3)."""
+
+    world_points: Annotated[
+        Positions,
+        2,
+        2,
+        3,
+    ]
+    """The same in the world, before footprints [m], shape (2, 2, 3)."""
+
+    foot_offset: Annotated[
+        Positions,
+        2,
+        3,
+    ]
+    """How far footprints move each foot [m], shape (2, 3)."""
+
+    foot_velocity: Annotated[
+        Positions,
+        2,
+        3,
+    ]
+    """How fast that changes [m/s], shape (2, 3)."""
+
+    planted_time: Annotated[Seconds, 2]
+    """How long each foot has been carrying [s], 0 while it does not, shape (2,)."""
+
+    pelvis_drop: Annotated[Floats, 2]
+    """How far the pelvis is lowered for a leg to reach [m], and how fast [m/s] (2,)."""
+
+    weights: Annotated[
+        Weights,
+        SEATS + 1,
+        PARTS,
+    ]
+    """Weight on each body part; the last seat is the neutral motion. (seats + 1, parts)."""
+
+    playing: Annotated[Flags, SEATS]
+    """The synchronizer's window, as `footfall.sync.Window`, whose arrays follow."""
+
+    sequence: Annotated[Indices, SEATS]
+    priority: Annotated[Floats, SEATS]
+    age: Annotated[Indices, SEATS]
+    weight: Annotated[Weights, SEATS]
+    remaining: Annotated[Seconds, SEATS]
+    phases: Annotated[
+        Indices,
+        SEATS,
+        COLUMNS,
+    ]
+    results: Annotated[Supports, COLUMNS]
+    spare_phases: Annotated[
+        Indices,
+        SEATS,
+        COLUMNS,
+    ]
+    spare_results: Annotated[Supports, COLUMNS]
+    effectors: Annotated[Floats, 7]
+    """Blended pelvis height and ankle positions, shape (7,)."""
+
+    ankles: Annotated[
+        Positions,
+        2,
+        3,
+    ]
+    """Where the ankles should be, relative to the root [m], shape (2, 3)."""
+
+    old_points: Annotated[
+        Positions,
+        SEATS + 1,
+        2,
+        2,
+        3,
+    ]
+    """Foot points of the pose shown last, shape (seats + 1, 2, 2, 3)."""
+
+    points: Annotated[
+        Positions,
+        2,
+        2,
+        3,
+    ]
+    """Heel and toe of the blended feet, relative to the root, in leg lengths, (2, 2, 3)."""
+
+    heights: Annotated[
+        Floats,
+        2,
+        2,
+    ]
+    """Their heights over where they rest, in leg lengths, shape (2, 2)."""
+
+    toe_shares: Annotated[Floats, 2]
+    """Where between heel (0) and toe (1) each foot carries, shape (2,)."""
+
+    slides: Annotated[
+        Floats,
+        2,
+        2,
+    ]
+    """How far the motions themselves let each foot slide, x and z in leg lengths, (2, 2)."""
+
+    offset: Annotated[Positions, 3]
+    """How far a footprint moves a foot, relative to the root [m], shape (3,)."""
+
+    levels: Annotated[Weights, SEATS]
+    """Activation levels, shape (seats,)."""
+
+    shares: Annotated[Weights, SEATS]
+    """Leg weights of those that vote on a duration, shape (seats,)."""
+
+    votes: Annotated[Seconds, SEATS]
+    """Their votes [s], shape (seats,)."""
