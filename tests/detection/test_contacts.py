@@ -115,19 +115,17 @@ def test_planted_intervals_lie_within_the_contacts_and_are_still(name: str) -> N
             assert inner.duration > 0.4 * outer.duration
 
 
-@pytest.mark.parametrize(
-    ("options", "message"),
-    [
-        ({"height": 0.0}, "height is 0.0; a limit must be finite and > 0"),
-        ({"speed": float("nan")}, "speed is nan; a limit must be finite and > 0"),
-        ({"min_duration": -1.0}, "min_duration is -1.0 s; it must be finite and >= 0"),
-    ],
-)
-def test_limits_out_of_range_are_refused(options: dict[str, float], message: str) -> None:
+def test_limits_out_of_range_are_refused() -> None:
     clip, _ = sample("idle", fps=30)
     with pytest.raises(ArgumentError) as raised:
-        detect_contacts(clip, **options)
-    assert str(raised.value) == message
+        detect_contacts(clip, height=0.0)
+    assert str(raised.value) == "height is 0.0; a limit must be finite and > 0"
+    with pytest.raises(ArgumentError) as raised:
+        detect_contacts(clip, speed=float("nan"))
+    assert str(raised.value) == "speed is nan; a limit must be finite and > 0"
+    with pytest.raises(ArgumentError) as raised:
+        detect_contacts(clip, min_duration=-1.0)
+    assert str(raised.value) == "min_duration is -1.0 s; it must be finite and >= 0"
 
 
 def test_six_seconds_at_sixty_frames_take_well_under_fifty_milliseconds() -> None:
