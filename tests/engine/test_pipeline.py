@@ -69,6 +69,17 @@ def test_one_clip_alone_comes_back_as_it_was() -> None:
         assert np.abs(moved - start).max() < 1e-5
 
 
+@pytest.mark.parametrize("name", ["kick", "jump", "walk-to-hop"])
+def test_a_clip_that_plays_once_comes_back_as_it_was(name: str) -> None:
+    clip, supports = ff.sample(name)
+    hero = ff.Character(clip.skeleton, footprints=False)
+    hero.add(name, clip, supports)
+    recording = play(hero, {0: ("start", name)}, clip.frames)
+    _, clip_positions = clip.world_poses()
+    moved = recording.world_positions - clip_positions
+    assert np.abs(moved - moved[0]).max() < 1e-3
+
+
 def test_feet_hold_through_a_start_and_a_stop() -> None:
     assert drift(play(walker(), CUES, 260)) < 5.0
 

@@ -59,6 +59,7 @@ def set_target(shelf: Shelf, me: Character, seat: int) -> None:
     if has_ended(shelf.table, me.sequence[seat], phase):
         me.target[seat] = clip_time
         me.natural[seat] = 0.0
+        me.rate[seat] = 0.0
         return
     end = phase_end(shelf.entries[me.action[seat]], shelf.phase_starts, phase)
     columns = _columns_of(me, seat, THIS_SLOT)
@@ -106,8 +107,10 @@ def rebuild_warps(shelf: Shelf, me: Character) -> None:
         mean = (segment[4] - segment[1]) / left if left > 0.0 else 0.0
         if shelf.use_paper_cubic:
             segment[5] = end_slope_paper(mean, segment[2])
-        else:
-            segment[5] = end_slope(mean, _vote(shelf, me, seat, NEXT_SLOT) / following)
+            continue
+        ahead = _vote(shelf, me, seat, NEXT_SLOT)
+        # An action that ends there goes on at its speed: a clip alone plays as it was.
+        segment[5] = end_slope(mean, ahead / following) if ahead > 0.0 else mean
 
 
 @inner_kernel
