@@ -63,6 +63,7 @@ def test_a_cycle_stays_one() -> None:
     clip, supports = skating("walk", 60, 0.06)
     cleaned = clean(clip, supports)
     assert cleaned.cyclic
+    np.testing.assert_array_equal(cleaned.local_rotations[-1, 1:], cleaned.local_rotations[0, 1:])
     _, positions = cleaned.world_poses()
     np.testing.assert_allclose(PlanarStep.of(cleaned).apply(positions[0]), positions[-1], atol=1e-9)
     # Nothing jumps where it starts over, either.

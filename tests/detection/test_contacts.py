@@ -104,6 +104,14 @@ def test_everything_is_told_that_was_concluded() -> None:
     assert (contacts.flags == np.array(true)).mean() > 0.97
 
 
+def test_planted_intervals_leave_out_the_edges_that_move() -> None:
+    clip, _ = sample("run", fps=120)
+    contacts = detect_contacts(clip)
+    for foot, planted in enumerate(planted_intervals(clip)):
+        assert planted[0].start > contacts.intervals[foot][0].start + 0.01
+        assert planted[0].end < contacts.intervals[foot][0].end
+
+
 @pytest.mark.parametrize("name", ["walk", "run", "kick", "walk-to-hop"])
 def test_planted_intervals_lie_within_the_contacts_and_are_still(name: str) -> None:
     clip, _ = sample(name, fps=120)
