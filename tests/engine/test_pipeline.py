@@ -11,6 +11,7 @@ import footfall as ff
 from footfall.arrays import Floats, Positions
 from footfall.engine import Recorder, Recording
 from footfall.errors import ArgumentError, SkeletonError, UnknownNameError
+from footfall.motion import extract_root_path
 from footfall.report import Trace, measure
 from footfall.skeleton import find_anatomy
 
@@ -74,6 +75,8 @@ def test_a_clip_that_plays_once_comes_back_as_it_was(name: str) -> None:
     clip, supports = ff.sample(name)
     hero = ff.Character(clip.skeleton, footprints=False)
     hero.add(name, clip, supports)
+    path = extract_root_path(clip, find_anatomy(clip.skeleton))
+    hero.place(path.positions[0, 0], path.positions[0, 1], path.headings[0])
     recording = play(hero, {0: ("start", name)}, clip.frames)
     _, clip_positions = clip.world_poses()
     moved = recording.world_positions - clip_positions
