@@ -20,12 +20,16 @@ from footfall.timing import (
     slot_duration,
 )
 
-__all__ = ["rebuild_warps", "set_target", "update_weights"]
+__all__ = ["GREATEST_RATE", "rebuild_warps", "set_target", "update_weights"]
 
 LEGS = int(BodyPart.LEGS)
 
 # Typed numbers: a literal would have everything that it is passed to compiled twice.
 THIS_SLOT, NEXT_SLOT = cast(int, np.int64(0)), cast(int, np.int64(1))
+
+GREATEST_RATE = 2.5
+"""A slot lasts so long that no clip has to run faster than this on average, whatever its weight:
+one that has just entered has none yet, and must not rush through its first phase."""
 
 LAST_SLOT = 0.1
 """How long a slot lasts in which every action has ended [s]."""
@@ -128,7 +132,12 @@ def _duration(shelf: Shelf, me: Character, column: int) -> float:
                 voters += 1
     if voters == 0:
         return LAST_SLOT if anybody else 0.0
-    return slot_duration(me.shares, me.votes, voters)
+    duration = slot_duration(me.shares, me.votes, voters)
+    if shelf.use_paper_cubic:
+        return duration
+    for voter in range(voters):
+        duration = max(duration, me.votes[voter] / GREATEST_RATE)
+    return duration
 
 
 @inner_kernel

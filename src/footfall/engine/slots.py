@@ -53,6 +53,6 @@ def enter_slot(shelf: Shelf, me: Character, rules: Rules) -> None:
         if has_ended(shelf.table, me.sequence[seat], phase):
             begin_leaving(shelf, me, seat)
         set_target(shelf, me, seat)
-    retry_waiting(shelf, me, rules)
     update_weights(me)
     rebuild_warps(shelf, me)
+    retry_waiting(shelf, me, rules)

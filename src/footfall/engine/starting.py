@@ -7,7 +7,7 @@ from typing import cast
 import numpy as np
 
 from footfall.compilation import inner_kernel
-from footfall.engine.durations import rebuild_warps, set_target, update_weights
+from footfall.engine.durations import GREATEST_RATE, rebuild_warps, set_target, update_weights
 from footfall.engine.record import SEATS, Character
 from footfall.engine.shelf import Shelf, key_at, phase_end, phase_start, read_points
 from footfall.engine.state import RUNNING, WAITING
@@ -116,7 +116,9 @@ def _synchronize(shelf: Shelf, me: Character, rules: Rules, seat: int) -> bool:
     for other in range(SEATS):
         if me.playing[other]:
             set_target(shelf, me, other)
-    duration = me.slot_duration if not alone else me.natural[seat]
+    duration = me.natural[seat] if alone else me.slot_duration
+    if not shelf.use_paper_cubic:
+        duration = max(duration, me.natural[seat] / GREATEST_RATE)
     left = (1.0 - elapsed) * duration
     reach = me.target[seat] - me.clip_time[seat]
     me.rate[seat] = reach / left if left > 0.0 else 1.0
