@@ -1,5 +1,6 @@
 from __future__ import annotations
 
+import ast
 import inspect
 import math
 import os
@@ -67,6 +68,48 @@ def test_the_cache_folder_stays_while_nothing_but_dates_and_other_files_change(t
     (tree / "py.typed").write_text("")
     assert cache_folder() == before
     assert before == tree.parent / "cache" / "footfall" / source_digest()
+
+
+def test_a_leaf_counts_only_where_it_holds_kernels(tree: Path) -> None:
+    (tree / "io").mkdir()
+    leaf = tree / "io" / "files.py"
+    before = source_digest()
+    leaf.write_text("one = 1\n")
+    assert source_digest() == before
+    leaf.write_text("from footfall.compilation import kernel\n")
+    assert source_digest() != before
+
+
+def names_of_kernels(tree: ast.Module) -> set[str]:
+    """Return every name that a kernel of a module uses."""
+    return {
+        name.id
+        for function in ast.walk(tree)
+        if isinstance(function, ast.FunctionDef)
+        and any("kernel" in ast.unparse(each) for each in function.decorator_list)
+        for name in ast.walk(function)
+        if isinstance(name, ast.Name)
+    }
+
+
+def test_no_kernel_reads_a_leaf_that_does_not_count() -> None:
+    root = Path(compilation.__file__).parent
+    kernels = 0
+    for path in sorted(root.rglob("*.py")):
+        tree = ast.parse(path.read_text())
+        used = names_of_kernels(tree)
+        kernels += bool(used)
+        for node in ast.walk(tree):
+            if not isinstance(node, ast.ImportFrom) or node.module is None:
+                continue
+            package, *parts = node.module.split(".")
+            if package != "footfall" or not parts or parts[0] not in compilation.LEAVES:
+                continue
+            read = root.joinpath(*parts).with_suffix(".py")
+            counts = read.is_file() and "footfall.compilation" in read.read_text()
+            captured = used & {alias.asname or alias.name for alias in node.names}
+            assert counts or not captured, f"{path} captures {captured} of {node.module}"
+    assert kernels > 20
 
 
 def test_where_the_users_cache_cannot_be_written_a_temporary_folder_is_used(
