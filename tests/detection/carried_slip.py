@@ -7,7 +7,7 @@ import numpy as np
 from footfall.arrays import Positions
 from footfall.detection.pinning import foot_spans
 from footfall.detection.tracks import points_of_pose
-from footfall.motion import Clip, sample
+from footfall.motion import Clip, sample, with_soles
 from footfall.skeleton import Anatomy, leg_length, world_poses
 from footfall.support import SupportSequence
 
@@ -24,7 +24,8 @@ def joints_at_60(clip: Clip) -> Positions:
 def inner_slips(clip: Clip, supports: SupportSequence, anatomy: Anatomy) -> list[float]:
     """Return the way of the carrying point of each support span [m], without its edges."""
     times = np.arange(int(clip.duration * RATE + 1e-6) + 1) / RATE
-    points = points_of_pose(*world_poses(clip.skeleton, *sample(clip, times)), anatomy)
+    poses = world_poses(clip.skeleton, *sample(clip, times))
+    points = points_of_pose(*poses, with_soles(anatomy, *clip.world_poses()))
     slips: list[float] = []
     for foot, leg in enumerate(anatomy.legs):
         low = 0.05 * leg_length(clip.skeleton, leg)

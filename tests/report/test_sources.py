@@ -4,11 +4,12 @@ import math
 
 import numpy as np
 import pytest
-from tests.report.bodies import ANATOMY, HEEL, LEFT
+from tests.report.bodies import ANATOMY, FOOT_LENGTH, HEEL, LEFT
 
 from footfall.arrays import Positions
 from footfall.geometry import from_yaw
 from footfall.motion import Clip
+from footfall.motion.soles import HEEL_SHARE
 from footfall.report import SourceSlips, Track, clip_trace, mean_source_slips, measure_spans
 from footfall.skeleton import Skeleton
 from footfall.support import SupportSequence
@@ -82,7 +83,9 @@ def test_a_clip_as_a_trace_keeps_its_poses_and_its_supports() -> None:
     trace = clip_trace(clip, ANATOMY, SupportSequence.parse("L.5 D.5"))
     assert trace.fps == 30.0
     assert (trace.positions == clip.world_poses()[1]).all()
-    assert Track.from_trace(trace).points[-1, LEFT, HEEL] == pytest.approx([0.1, 0.0, 0.5])
+    # The ankle is at z = 0.5 at the end, and the heel on the sole behind it.
+    behind = HEEL_SHARE * FOOT_LENGTH
+    assert Track.from_trace(trace).points[-1, LEFT, HEEL] == pytest.approx([0.1, 0.0, 0.5 - behind])
 
 
 def slips_of(left: float) -> SourceSlips:

@@ -12,11 +12,27 @@ import math
 from footfall.arrays import Positions
 from footfall.compilation import kernel
 
-__all__ = ["hold_foot", "release_foot", "spring", "toe_share"]
+__all__ = [
+    "ROLL_TIME",
+    "SPEED_TIME",
+    "approach",
+    "hold_foot",
+    "release_foot",
+    "spring",
+    "toe_lead",
+]
 
-ROLL = 0.03
-"""Difference of the heights of heel and toe over which the weight passes between them, in leg
-lengths."""
+LOWER = 0.004
+"""Difference of height from which the lower of heel and toe is the one that carries [m]."""
+
+SLOWER = 0.02
+"""Difference of speed that counts as much [m/s]."""
+
+SPEED_TIME = 0.06
+"""Time constant of the filter over those speeds [s]."""
+
+ROLL_TIME = 0.02
+"""Time constant with which the weight passes from heel to toe [s]."""
 
 GRIP_TIME = 0.05
 """Time in which a foot takes hold at the start of a span, and lets go at its end [s]: a real
@@ -30,16 +46,25 @@ SETTLE_SPEED = 25.0
 
 
 @kernel
-def toe_share(heel_height: float, toe_height: float) -> float:
-    """Return where between heel (0) and toe (1) a foot carries.
+def toe_lead(heel_height: float, toe_height: float, heel_speed: float, toe_speed: float) -> float:
+    """Return how clearly the toe of a foot carries rather than its heel: above 1, or below -1.
+
+    The lower of the two carries; where they are level it is the slower one, for a foot that
+    turns on the spot turns about the point that stays.
 
     Args:
-        heel_height: Over its own height at rest, in leg lengths.
+        heel_height: Over its own height at rest [m].
         toe_height: Likewise.
+        heel_speed: Over the ground [m/s].
+        toe_speed: Likewise.
     """
-    x = (heel_height - toe_height) / ROLL + 0.5
-    x = min(max(x, 0.0), 1.0)
-    return x * x * (3.0 - 2.0 * x)
+    return (heel_height - toe_height) / LOWER + (heel_speed - toe_speed) / SLOWER
+
+
+@kernel
+def approach(value: float, goal: float, time: float, dt: float) -> float:
+    """Return a value that has gone towards a goal for `dt`, with this time constant [s]."""
+    return goal + (value - goal) * math.exp(-dt / time)
 
 
 @kernel

@@ -28,25 +28,21 @@ def foot_slide(
     before: Positions,
     after: Positions,
     side: int,
-    toe_share: float,
+    point: int,
 ) -> tuple[float, float]:
-    """Return how far a motion itself moves a foot over the ground, seen from its root before.
+    """Return how far a motion itself moves a foot point over the ground.
+
+    Seen from its root before the step.
 
     Args:
         step: The root after, as seen from the root before: x, z, heading [rad].
         before: Heel and toe of each foot, relative to the root, shape (2, 2, 3).
         after: The same after the step.
         side: Which foot.
-        toe_share: Where between heel (0) and toe (1) it carries.
+        point: Its heel (0) or toe (1).
     """
-    x, z = transforms.apply(
-        step[0],
-        step[1],
-        step[2],
-        mix_point(after, side, toe_share, 0),
-        mix_point(after, side, toe_share, 2),
-    )
-    return x - mix_point(before, side, toe_share, 0), z - mix_point(before, side, toe_share, 2)
+    x, z = transforms.apply(step[0], step[1], step[2], after[side, point, 0], after[side, point, 2])
+    return x - before[side, point, 0], z - before[side, point, 2]
 
 
 @kernel

@@ -123,8 +123,11 @@ def performance_trace(performance: Performance) -> Trace:
 
 
 def _mean_rates(rates: Floats, shares: Floats) -> Floats:
-    """Return the weighted mean rate of what plays, 1 where nothing does, shape (frames,)."""
-    weights = np.where(np.isfinite(rates), shares, 0.0)
+    """Return the weighted mean rate of what plays, 1 where nothing does, shape (frames,).
+
+    A clip that is over plays no more: what still moves there is the fade.
+    """
+    weights = np.where(np.isfinite(rates) & (rates > 0.0), shares, 0.0)
     total = weights.sum(axis=1)
     summed = (np.nan_to_num(rates) * weights).sum(axis=1)
     return np.where(total > 1e-9, summed / np.where(total > 1e-9, total, 1.0), 1.0)

@@ -15,7 +15,7 @@ from footfall.arrays import Floats, Positions
 from footfall.detection.filters import gaussian
 from footfall.detection.pinning import foot_spans, pinned_offsets
 from footfall.detection.tracks import PlanarStep, foot_tracks, points_of_pose
-from footfall.motion import Clip, place_feet
+from footfall.motion import Clip, place_feet, with_soles
 from footfall.motion.pelvis_drop import pelvis_drops
 from footfall.skeleton import Anatomy, find_anatomy
 from footfall.support import SupportSequence
@@ -68,7 +68,8 @@ def clean_and_tell(
         The clip, its provenance telling of it, with the offsets.
     """
     anatomy = find_anatomy(clip.skeleton) if anatomy is None else anatomy
-    points = points_of_pose(*clip.world_poses(), anatomy)
+    poses = clip.world_poses()
+    points = points_of_pose(*poses, with_soles(anatomy, *poses))
     belt = np.array(foot_tracks(clip, anatomy).belt_velocity)
     times = np.arange(clip.frames) / clip.fps
     points[..., [0, 2]] -= (times[:, np.newaxis] * belt)[:, np.newaxis, np.newaxis]

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from footfall.arrays import Floats, Positions, Rotations
-from footfall.motion import Clip, cycle_displacement
+from footfall.motion import Clip, cycle_displacement, with_soles
 from footfall.skeleton import Anatomy, leg_length
 
 __all__ = ["LOW_PASS_DEVIATION", "FootTracks", "PlanarStep", "foot_tracks", "points_of_pose"]
@@ -120,7 +120,8 @@ def _rotated(rotations: Rotations, vector: Floats) -> Positions:
 
 def foot_tracks(clip: Clip, anatomy: Anatomy) -> FootTracks:
     """Return the tracks of a clip's feet, relative to the surface they tread on."""
-    points = points_of_pose(*clip.world_poses(), anatomy)
+    poses = clip.world_poses()
+    points = points_of_pose(*poses, with_soles(anatomy, *poses))
     step = PlanarStep.of(clip) if clip.cyclic else PlanarStep()
     dense, rate = _resampled(points, step, clip)
     smooth = _low_passed(dense, step, rate, cyclic=clip.cyclic)

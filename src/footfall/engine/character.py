@@ -64,7 +64,7 @@ class Character:
             neutral: Its first frame is how the character stands that does nothing.
         """
         self.skeleton = skeleton
-        self.library = MotionLibrary(neutral=neutral)
+        self.library = MotionLibrary(skeleton=skeleton, neutral=neutral)
         self._options: dict[str, Any] = {
             "ground": ground,
             "planner": planner,

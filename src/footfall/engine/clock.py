@@ -23,6 +23,9 @@ __all__ = ["pass_time"]
 LEGS = int(BodyPart.LEGS)
 LEFT, RIGHT, DOUBLE = int(Support.LEFT), int(Support.RIGHT), int(Support.DOUBLE)
 
+FADE_EASE = 0.08
+"""Time that leg weights take to come to speed, and to rest, while one foot carries [s]."""
+
 SAME_MOMENT = 1e-9
 """Clock times closer than this are one moment [s]."""
 
@@ -102,8 +105,7 @@ def _run_clips(shelf: Shelf, me: Character, step: float, slot_ends: bool) -> Non
 @inner_kernel
 def _run_fades(me: Character, step: float) -> None:
     """Advance every fade; leg weights wait while both feet carry, or none (S-27)."""
-    support = me.results[0]
-    may_move = not me.synchronized or support in (LEFT, RIGHT)
+    pace = _fade_pace(me, step)
     for seat in range(SEATS):
         if me.status[seat] < RUNNING:
             continue
@@ -114,9 +116,32 @@ def _run_fades(me: Character, step: float) -> None:
                 me.fade_elapsed[seat, group],
                 asked,
                 step,
-                may_move or group == 1,
+                pace if group == 0 else 1.0,
             )
             me.fade_elapsed[seat, group] += step
+
+
+@inner_kernel
+def _fade_pace(me: Character, step: float) -> float:
+    """Return how fast leg weights may move, 0 to 1, in the middle of the next step.
+
+    Full while one foot carries; nothing while both do, or none; it goes from one to the other
+    while the foot carries alone, so that the root is neither kicked nor caught.
+    """
+    if not me.synchronized:
+        return 1.0
+    support = me.results[0]
+    if support != me.support or support not in (LEFT, RIGHT):
+        me.alone_time = 0.0
+    if support not in (LEFT, RIGHT):
+        return 0.0
+    pace = (me.alone_time + 0.5 * step) / FADE_EASE
+    me.alone_time += step
+    if me.results[1] != support:
+        left = (1.0 - me.slot_progress) * me.slot_duration - 0.5 * step
+        pace = min(pace, left / FADE_EASE)
+    pace = min(max(pace, 0.0), 1.0)
+    return pace * pace * (3.0 - 2.0 * pace)
 
 
 @inner_kernel

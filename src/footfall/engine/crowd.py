@@ -48,7 +48,7 @@ class Crowd:
         Args:
             library: Its actions can be started, also those that are added later.
             size: How many characters, >= 1.
-            skeleton: Their body; by default that of the library's first clip.
+            skeleton: Their body, its joints in any order; by default the library's.
             ground: What they stand on; by default a plane at height 0.
             planner: "footfall", or "paper" for the rule as printed.
             lookahead: How many slots ahead phases are synchronized, >= 1.
@@ -71,7 +71,7 @@ class Crowd:
             )
         self.library = library
         self.size = size
-        self.skeleton = skeleton or library.skeleton
+        self.skeleton = (skeleton or library.skeleton).ordered_like(library.skeleton)
         self._planner: Planner = planner
         self._rules = rules_of(planner, ended="stop" if planner == "paper" else None)
         self._rig = library.rig(self.skeleton)

@@ -58,19 +58,21 @@ class MotionLibrary:
     A new clip is appended: it touches no other, and no index ever changes.
     """
 
-    def __init__(self, *, neutral: Clip | None = None) -> None:
+    def __init__(self, *, skeleton: Skeleton | None = None, neutral: Clip | None = None) -> None:
         """Begin an empty library.
 
         Args:
+            skeleton: The order in which its joints come; by default that of the first clip.
             neutral: Its first frame is how a character stands that does nothing. By default
                 the mean posture of the first clip that is added, on both feet.
         """
         self._neutral = neutral
         self._actions: list[Action] = []
-        self._skeleton: Skeleton | None = None
+        self._skeleton = skeleton
         self._anatomy: Anatomy | None = None
         self._standing: SmallFloats | None = None
         self._resting: Floats | None = None
+        self._soles: Floats | None = None
 
     @property
     def actions(self) -> tuple[Action, ...]:
@@ -79,7 +81,7 @@ class MotionLibrary:
 
     @property
     def skeleton(self) -> Skeleton:
-        """The body of the first clip.
+        """The body whose joints, in their order, all its motions move.
 
         Raises:
             ArgumentError: If no clip has been added yet.
@@ -142,6 +144,7 @@ class MotionLibrary:
             if not (math.isfinite(seconds) and seconds >= 0.0):
                 raise ArgumentError(f"{label} of {name!r} is {seconds} s; it must be >= 0")
         self._check_family(name, clip)
+        clip = clip.ordered_like(self.skeleton)
         _check_supports(name, clip, supports)
         values = parse_priority(priority)
         packed = pack_clip(clip, self.anatomy, supports)
@@ -166,11 +169,12 @@ class MotionLibrary:
         joints = self.skeleton.count
         if self._neutral is None:
             self._standing = pack_standing(packed, joints)
-            self._resting = packed.resting_heights
+            self._resting, self._soles = packed.resting_heights, packed.foot_points
             return
         both = SupportSequence.parse("D")
-        stance = pack_clip(self._neutral, self.anatomy, both)
-        self._standing, self._resting = stance.keys[:1], stance.resting_heights
+        stance = pack_clip(self._neutral.ordered_like(self.skeleton), self.anatomy, both)
+        self._standing = stance.keys[:1]
+        self._resting, self._soles = stance.resting_heights, stance.foot_points
 
     def shelf(self, planner: Planner = "footfall") -> Shelf:
         """Return the library as the kernels take it.
@@ -179,9 +183,8 @@ class MotionLibrary:
             ArgumentError: If no clip has been added yet.
         """
         actions = self._actions
-        if not actions or self._standing is None or self._resting is None:
+        if not actions or self._standing is None or self._resting is None or self._soles is None:
             raise ArgumentError("the library is empty; add a clip first")
-        rig = self.rig()
         sequences = [action.supports for action in actions]
         standing_root = np.zeros((1, 3))
         return Shelf(
@@ -193,7 +196,7 @@ class MotionLibrary:
             ),
             table=SequenceTable.of(sequences),
             phase_starts=np.concatenate([one.boundaries[:-1] for one in sequences]),
-            points=rig.foot_points / rig.leg_length,
+            points=np.stack([*(action.packed.foot_points for action in actions), self._soles]),
             use_paper_cubic=planner == "paper",
             joints=self.skeleton.count,
         )

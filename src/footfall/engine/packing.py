@@ -8,7 +8,7 @@ import numpy as np
 
 from footfall.arrays import Flags, Floats, Positions, Rotations, SmallFloats
 from footfall.geometry import conjugate, multiply
-from footfall.motion import Clip, extract_root_path
+from footfall.motion import Clip, extract_root_path, with_soles
 from footfall.skeleton import Anatomy
 from footfall.skeleton.normalized import channel_count, normalize
 from footfall.skeleton.rig import Rig, rig_of
@@ -33,6 +33,9 @@ class PackedClip(NamedTuple):
     resting_heights: Floats
     """Heel and toe of each foot over the ground at rest, in leg lengths, shape (2, 2)."""
 
+    foot_points: Positions
+    """Heel and toe of each foot in the ankle's frame, in leg lengths, shape (2, 2, 3)."""
+
     floor: float
     """Height of the ground in the clip's own world [m]."""
 
@@ -50,8 +53,8 @@ def pack_clip(clip: Clip, anatomy: Anatomy, supports: SupportSequence) -> Packed
         anatomy: What the joints of its skeleton are.
         supports: What carries the body when.
     """
-    rig = rig_of(clip.skeleton, anatomy)
     rotations, positions = clip.world_poses()
+    rig = rig_of(clip.skeleton, with_soles(anatomy, rotations, positions))
     carried = _carrying_feet(clip, supports)
     resting = _resting_heights(rig, rotations, positions, carried)
     floor = float(resting.min(axis=1).mean())
@@ -60,7 +63,14 @@ def pack_clip(clip: Clip, anatomy: Anatomy, supports: SupportSequence) -> Packed
         clip.skeleton, rig, clip.pelvis_positions, clip.local_rotations, path.headings, floor
     )
     roots = np.column_stack([path.positions / rig.leg_length, path.headings])
-    return PackedClip(keys, roots, (resting - floor) / rig.leg_length, floor, rig.leg_length)
+    return PackedClip(
+        keys,
+        roots,
+        (resting - floor) / rig.leg_length,
+        rig.foot_points / rig.leg_length,
+        floor,
+        rig.leg_length,
+    )
 
 
 def _carrying_feet(clip: Clip, supports: SupportSequence) -> Flags:

@@ -14,8 +14,9 @@ import numpy.typing as npt
 from footfall.arrays import Positions, Rotations
 from footfall.compilation import inner_kernel, kernel
 from footfall.engine.clock import pass_time
+from footfall.engine.feet import locate_feet, stand_where_planted
 from footfall.engine.placing import keep_footprints, place_body, write_world
-from footfall.engine.pose import blend_poses, locate_feet, move_root
+from footfall.engine.pose import blend_poses, move_root
 from footfall.engine.record import Character
 from footfall.engine.shelf import Shelf
 from footfall.engine.state import Workspace
@@ -37,10 +38,11 @@ def _advance_row(
     pass_time(shelf, me, rules, dt)
     # 4. The pose of each clip at that time, and their weighted mean, free of any body.
     blend_poses(shelf, rig, me, work)
-    # 5. The feet of that mean, and whether heel or toe carries.
+    # 5. The feet of that mean; where nothing plays they stand where they were planted.
+    stand_where_planted(shelf, me)
     locate_feet(shelf, me, work)
-    # 6. The way over the ground, so that the carrying foot stays.
-    move_root(shelf, rig, me)
+    # 6. The way over the ground, so that the heel or toe that carries stays.
+    move_root(shelf, rig, me, dt)
     # 7. The footprints: what was planted is held, what is lifted is let go.
     keep_footprints(rig, me, dt)
     # 8. This body's lengths; the legs reach for their footprints.

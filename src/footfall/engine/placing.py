@@ -7,7 +7,7 @@ from footfall.adaptation.pelvis import FALL_SPEED, RISE_SPEED, needed_drop
 from footfall.arrays import Positions, Rotations
 from footfall.blending.root import mix_point
 from footfall.compilation import inner_kernel
-from footfall.engine.pose import carries
+from footfall.engine.feet import carries
 from footfall.engine.record import Character
 from footfall.engine.shelf import Shelf
 from footfall.engine.state import Workspace
@@ -75,6 +75,8 @@ def place_body(shelf: Shelf, rig: Rig, me: Character, work: Workspace, dt: float
         needed = max(needed, needed_drop(rig, side, me.ankles[side], me.offset, work.positions))
         for axis in range(3):
             me.ankles[side, axis] += me.offset[axis]
+        me.shown_ankles[side, 0] = me.ankles[side, 0] / leg
+        me.shown_ankles[side, 1] = me.ankles[side, 2] / leg
     drop = me.pelvis_drop
     speed = FALL_SPEED if needed > drop[0] else RISE_SPEED
     drop[0], drop[1] = spring(drop[0], drop[1], needed, speed, dt)

@@ -2,29 +2,23 @@
 
 from __future__ import annotations
 
-from footfall.adaptation.footprints import toe_share
+import math
+
+from footfall.adaptation.footprints import ROLL_TIME, SPEED_TIME, approach, toe_lead
 from footfall.blending.poses import add_pose, clear_pose, finish_pose
 from footfall.blending.root import correct_displacement, foot_slide
 from footfall.compilation import inner_kernel
+from footfall.engine.feet import carries
 from footfall.engine.record import SEATS, Character
 from footfall.engine.shelf import Shelf, key_at, read_points, travel
 from footfall.engine.state import RUNNING, Workspace
-from footfall.geometry import quaternions, transforms
+from footfall.geometry import transforms
 from footfall.skeleton import BodyPart
 from footfall.skeleton.rig import Rig
-from footfall.support import Support
 
-__all__ = ["blend_poses", "carries", "locate_feet", "move_root"]
+__all__ = ["blend_poses", "move_root"]
 
 LEGS = int(BodyPart.LEGS)
-LEFT_FOOT = int(Support.LEFT) & ~int(Support.RIGHT)
-RIGHT_FOOT = int(Support.RIGHT) & ~int(Support.LEFT)
-
-
-@inner_kernel
-def carries(support: int, side: int) -> bool:
-    """Return whether a foot, 0 left or 1 right, is among those that carry."""
-    return (support & (LEFT_FOOT if side == 0 else RIGHT_FOOT)) != 0
 
 
 @inner_kernel
@@ -32,11 +26,13 @@ def blend_poses(shelf: Shelf, rig: Rig, me: Character, work: Workspace) -> None:
     """Sample every action and the neutral motion, and blend them by body part (stage 4)."""
     clear_pose(work.turned, me.effectors)
     for seat in range(SEATS + 1):
+        action = shelf.entries.shape[0]
         frame, fraction = shelf.keys.shape[0] - 1, 0.0
         if seat < SEATS:
             if me.status[seat] < RUNNING:
                 continue
-            frame, fraction, _ = key_at(shelf.entries[me.action[seat]], me.clip_time[seat])
+            action = me.action[seat]
+            frame, fraction, _ = key_at(shelf.entries[action], me.clip_time[seat])
         for side in range(2):
             for point in range(2):
                 for axis in range(3):
@@ -51,63 +47,15 @@ def blend_poses(shelf: Shelf, rig: Rig, me: Character, work: Workspace) -> None:
             work.turned,
             me.effectors,
         )
-        read_points(shelf, frame, fraction, me.seat_points[seat])
+        read_points(shelf, action, frame, fraction, me.seat_points[seat])
     finish_pose(work.turned)
 
 
 @inner_kernel
-def locate_feet(shelf: Shelf, me: Character, work: Workspace) -> None:
-    """Find heel and toe of the blended feet, and which of them carries (stage 5).
-
-    Written: `me.points` in leg lengths, `me.heights` over each point's own height at rest,
-    `me.toe_shares`.
-    """
-    for side in range(2):
-        q = work.turned[shelf.joints + side]
-        for point in range(2):
-            offset = shelf.points[side, point]
-            x, y, z = quaternions.rotate(q[0], q[1], q[2], q[3], offset[0], offset[1], offset[2])
-            me.points[side, point, 0] = x + me.effectors[1 + 3 * side]
-            me.points[side, point, 1] = y + me.effectors[2 + 3 * side]
-            me.points[side, point, 2] = z + me.effectors[3 + 3 * side]
-            resting = 0.0
-            for seat in range(SEATS + 1):
-                weight = me.weights[seat, LEGS]
-                if weight > 0.0:
-                    action = me.action[seat] if seat < SEATS else shelf.entries.shape[0]
-                    resting += weight * shelf.resting_heights[action, side, point]
-            me.heights[side, point] = me.points[side, point, 1] - resting
-        me.toe_shares[side] = toe_share(me.heights[side, 0], me.heights[side, 1])
-
-
-@inner_kernel
-def move_root(shelf: Shelf, rig: Rig, me: Character) -> None:
+def move_root(shelf: Shelf, rig: Rig, me: Character, dt: float) -> None:
     """Move the root as the motions do, corrected so that the carrying feet stay (stage 6)."""
-    step_x, step_z, turn = 0.0, 0.0, 0.0
-    for side in range(2):
-        me.slides[side, 0] = me.slides[side, 1] = 0.0
-    for seat in range(SEATS + 1):
-        weight = me.weights[seat, LEGS]
-        step = (0.0, 0.0, 0.0)
-        if seat < SEATS:
-            if me.status[seat] < RUNNING:
-                continue
-            now = me.clip_time[seat]
-            step = travel(shelf, me.action[seat], me.posed_time[seat], now)
-            me.posed_time[seat] = now
-        step_x += weight * step[0]
-        step_z += weight * step[1]
-        turn += weight * step[2]
-        for side in range(2):
-            x, z = foot_slide(
-                step,
-                me.old_points[seat],
-                me.seat_points[seat],
-                side,
-                me.toe_shares[side],
-            )
-            me.slides[side, 0] += weight * x
-            me.slides[side, 1] += weight * z
+    step_x, step_z, turn = _travel(shelf, me)
+    _choose_points(rig, me, dt)
     if me.synchronized and not me.fresh:
         step_x, step_z = _corrected(me, step_x, step_z, turn)
     root = me.root
@@ -121,18 +69,71 @@ def move_root(shelf: Shelf, rig: Rig, me: Character) -> None:
 
 
 @inner_kernel
+def _travel(shelf: Shelf, me: Character) -> tuple[float, float, float]:
+    """Return the weighted mean way of all roots; write how far their feet slide by themselves."""
+    step_x, step_z, turn = 0.0, 0.0, 0.0
+    me.slides[:] = 0.0
+    for seat in range(SEATS + 1):
+        weight = me.weights[seat, LEGS]
+        step = (0.0, 0.0, 0.0)
+        if seat < SEATS:
+            if me.status[seat] < RUNNING:
+                continue
+            now = me.clip_time[seat]
+            step = travel(shelf, me.action[seat], me.posed_time[seat], now)
+            me.posed_time[seat] = now
+        step_x += weight * step[0]
+        step_z += weight * step[1]
+        turn += weight * step[2]
+        for side in range(2):
+            for point in range(2):
+                x, z = foot_slide(step, me.old_points[seat], me.seat_points[seat], side, point)
+                me.slides[side, point, 0] += weight * x
+                me.slides[side, point, 1] += weight * z
+    return step_x, step_z, turn
+
+
+@inner_kernel
+def _choose_points(rig: Rig, me: Character, dt: float) -> None:
+    """Choose whether heel or toe of each foot carries; what is undecided stays as it was."""
+    leg = rig.leg_length
+    for side in range(2):
+        for point in range(2):
+            slide = me.slides[side, point]
+            if dt > 0.0:
+                speed = leg * math.sqrt(slide[0] * slide[0] + slide[1] * slide[1]) / dt
+                smooth = approach(me.slide_speeds[side, point], speed, SPEED_TIME, dt)
+                me.slide_speeds[side, point] = smooth
+        lead = toe_lead(
+            leg * me.heights[side, 0],
+            leg * me.heights[side, 1],
+            me.slide_speeds[side, 0],
+            me.slide_speeds[side, 1],
+        )
+        if abs(lead) > 1.0 or me.fresh:
+            me.on_toes[side] = lead > 0.0
+        goal = 1.0 if me.on_toes[side] else 0.0
+        share = goal if me.fresh else approach(me.toe_shares[side], goal, ROLL_TIME, dt)
+        me.toe_shares[side] = share
+
+
+@inner_kernel
 def _corrected(me: Character, step_x: float, step_z: float, turn: float) -> tuple[float, float]:
     """Return the displacement that suits the carrying feet; as it was where none carries."""
     x, z, feet = 0.0, 0.0, 0
     for side in range(2):
         if carries(me.support, side):
+            share = me.toe_shares[side]
             foot_x, foot_z = correct_displacement(
                 turn,
-                (me.slides[side, 0], me.slides[side, 1]),
+                (
+                    (1.0 - share) * me.slides[side, 0, 0] + share * me.slides[side, 1, 0],
+                    (1.0 - share) * me.slides[side, 0, 1] + share * me.slides[side, 1, 1],
+                ),
                 me.blended_points,
                 me.points,
                 side,
-                me.toe_shares[side],
+                share,
             )
             x += foot_x
             z += foot_z

@@ -63,28 +63,16 @@ class Character:
     action: Annotated[Indices, SEATS]
     """Which action of the library, shape (seats,)."""
 
-    priorities: Annotated[
-        Floats,
-        SEATS,
-        PARTS,
-    ]
+    priorities: Annotated[Floats, SEATS, PARTS]
     """Priority on each body part, >= 0, shape (seats, parts)."""
 
     fade_asked: Annotated[Seconds, SEATS]
     """How long the present fade should take [s], shape (seats,)."""
 
-    fade_progress: Annotated[
-        Floats,
-        SEATS,
-        2,
-    ]
+    fade_progress: Annotated[Floats, SEATS, 2]
     """How far it is, on the legs and on the rest of the body, shape (seats, 2)."""
 
-    fade_elapsed: Annotated[
-        Seconds,
-        SEATS,
-        2,
-    ]
+    fade_elapsed: Annotated[Seconds, SEATS, 2]
     """How long it has taken so far, likewise [s]."""
 
     clip_time: Annotated[Seconds, SEATS]
@@ -93,11 +81,7 @@ class Character:
     rate: Annotated[Floats, SEATS]
     """Clip time per clock time, shape (seats,)."""
 
-    segment: Annotated[
-        Floats,
-        SEATS,
-        6,
-    ]
+    segment: Annotated[Floats, SEATS, 6]
     """The time warp of the slot: t0, h0, v0, t1, h1, v1, shape (seats, 6)."""
 
     target: Annotated[Seconds, SEATS]
@@ -109,45 +93,35 @@ class Character:
     posed_time: Annotated[Seconds, SEATS]
     """Clip time of the pose shown last, shape (seats,)."""
 
-    seat_points: Annotated[
-        Positions,
-        SEATS + 1,
-        2,
-        2,
-        3,
-    ]
+    seat_points: Annotated[Positions, SEATS + 1, 2, 2, 3]
     """Heel and toe of each foot in the pose shown last, relative to the clip's root, in leg
     lengths; the last seat is the neutral motion. Shape (seats + 1, 2, 2, 3)."""
 
-    blended_points: Annotated[
-        Positions,
-        2,
-        2,
-        3,
-    ]
+    blended_points: Annotated[Positions, 2, 2, 3]
     """The same after blending, relative to the root [m], shape (2, 2, 3)."""
 
-    world_points: Annotated[
-        Positions,
-        2,
-        2,
-        3,
-    ]
+    world_points: Annotated[Positions, 2, 2, 3]
     """The same in the world, before footprints [m], shape (2, 2, 3)."""
 
-    foot_offset: Annotated[
-        Positions,
-        2,
-        3,
-    ]
+    foot_offset: Annotated[Positions, 2, 3]
     """How far footprints move each foot [m], shape (2, 3)."""
 
-    foot_velocity: Annotated[
-        Positions,
-        2,
-        3,
-    ]
+    foot_velocity: Annotated[Positions, 2, 3]
     """How fast that changes [m/s], shape (2, 3)."""
+
+    stands: bool
+    """Whether the neutral motion has weight on the legs."""
+
+    stance: Annotated[Floats, 2, 2]
+    """How far each foot then stands from where the neutral pose has it, x and z in leg lengths,
+    shape (2, 2)."""
+
+    shown_ankles: Annotated[Floats, 2, 2]
+    """Where the ankles were shown last, footprints included, x and z relative to the root in leg
+    lengths, shape (2, 2)."""
+
+    alone_time: float
+    """How long the present foot has been carrying alone [s], 0 while both do, or none."""
 
     planted_time: Annotated[Seconds, 2]
     """How long each foot has been carrying [s], 0 while it does not, shape (2,)."""
@@ -155,11 +129,7 @@ class Character:
     pelvis_drop: Annotated[Floats, 2]
     """How far the pelvis is lowered for a leg to reach [m], and how fast [m/s] (2,)."""
 
-    weights: Annotated[
-        Weights,
-        SEATS + 1,
-        PARTS,
-    ]
+    weights: Annotated[Weights, SEATS + 1, PARTS]
     """Weight on each body part; the last seat is the neutral motion. (seats + 1, parts)."""
 
     playing: Annotated[Flags, SEATS]
@@ -170,61 +140,37 @@ class Character:
     age: Annotated[Indices, SEATS]
     weight: Annotated[Weights, SEATS]
     remaining: Annotated[Seconds, SEATS]
-    phases: Annotated[
-        Indices,
-        SEATS,
-        COLUMNS,
-    ]
+    phases: Annotated[Indices, SEATS, COLUMNS]
     results: Annotated[Supports, COLUMNS]
-    spare_phases: Annotated[
-        Indices,
-        SEATS,
-        COLUMNS,
-    ]
+    spare_phases: Annotated[Indices, SEATS, COLUMNS]
     spare_results: Annotated[Supports, COLUMNS]
     effectors: Annotated[Floats, 7]
     """Blended pelvis height and ankle positions, shape (7,)."""
 
-    ankles: Annotated[
-        Positions,
-        2,
-        3,
-    ]
+    ankles: Annotated[Positions, 2, 3]
     """Where the ankles should be, relative to the root [m], shape (2, 3)."""
 
-    old_points: Annotated[
-        Positions,
-        SEATS + 1,
-        2,
-        2,
-        3,
-    ]
+    old_points: Annotated[Positions, SEATS + 1, 2, 2, 3]
     """Foot points of the pose shown last, shape (seats + 1, 2, 2, 3)."""
 
-    points: Annotated[
-        Positions,
-        2,
-        2,
-        3,
-    ]
+    points: Annotated[Positions, 2, 2, 3]
     """Heel and toe of the blended feet, relative to the root, in leg lengths, (2, 2, 3)."""
 
-    heights: Annotated[
-        Floats,
-        2,
-        2,
-    ]
+    heights: Annotated[Floats, 2, 2]
     """Their heights over where they rest, in leg lengths, shape (2, 2)."""
 
     toe_shares: Annotated[Floats, 2]
-    """Where between heel (0) and toe (1) each foot carries, shape (2,)."""
+    """Where between heel (0) and toe (1) each foot carries, on its way to `on_toes`, (2,)."""
 
-    slides: Annotated[
-        Floats,
-        2,
-        2,
-    ]
-    """How far the motions themselves let each foot slide, x and z in leg lengths, (2, 2)."""
+    slides: Annotated[Floats, 2, 2, 2]
+    """How far the motions themselves let heel and toe of each foot slide, x and z in leg lengths,
+    shape (2, 2, 2)."""
+
+    slide_speeds: Annotated[Floats, 2, 2]
+    """How fast, smoothed [m/s], shape (2, 2)."""
+
+    on_toes: Annotated[Flags, 2]
+    """Whether the toe of each foot carries rather than its heel, shape (2,)."""
 
     offset: Annotated[Positions, 3]
     """How far a footprint moves a foot, relative to the root [m], shape (3,)."""

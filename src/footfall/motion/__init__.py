@@ -8,6 +8,7 @@ from footfall.motion.leg_placement import place_feet
 from footfall.motion.mirroring import mirror
 from footfall.motion.root_motion import RootPath, extract_root_path
 from footfall.motion.sampling import cycle_displacement, sample
+from footfall.motion.soles import with_soles
 
 __all__ = [
     "Clip",
@@ -23,4 +24,5 @@ __all__ = [
     "place_feet",
     "resample",
     "sample",
+    "with_soles",
 ]

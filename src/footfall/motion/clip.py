@@ -100,6 +100,20 @@ class Clip:
         """Return world rotations (frames, joints, 4) and positions (frames, joints, 3) [m]."""
         return world_poses(self.skeleton, self.pelvis_positions, self.local_rotations)
 
+    def ordered_like(self, skeleton: Skeleton) -> Clip:
+        """Return the same motion with its joints in the order of a skeleton of its family.
+
+        Raises:
+            UnknownNameError: If a joint is not there.
+        """
+        if self.skeleton.names == skeleton.names:
+            return self
+        order = self.skeleton.order_of(skeleton)
+        return self.evolve(
+            skeleton=self.skeleton.ordered_like(skeleton),
+            local_rotations=self.local_rotations[:, order],
+        )
+
     def evolve(self, *, because: str | None = None, **changes: object) -> Clip:
         """Return a copy with some fields changed.
 

@@ -9,7 +9,7 @@ import numpy as np
 
 from footfall.arrays import Floats, Positions, Rotations, Seconds
 from footfall.geometry import conjugate, from_yaw, multiply, rotate
-from footfall.motion import Clip
+from footfall.motion import Clip, with_soles
 from footfall.report.slip import measure_spans
 from footfall.report.trace import Trace
 from footfall.report.track import RATE, Track
@@ -102,7 +102,7 @@ def clip_trace(clip: Clip, anatomy: Anatomy, supports: SupportSequence, cycles: 
     return Trace(
         positions=positions,
         rotations=rotations,
-        anatomy=anatomy,
+        anatomy=with_soles(anatomy, rotations, positions),
         fps=clip.fps,
         supports=np.array([supports.support_at(time) for time in times.tolist()], dtype=np.int64),
     )

@@ -12,7 +12,7 @@ from footfall.arrays import Supports
 from footfall.engine import Character, MotionLibrary, Waiting
 from footfall.engine.recording import Recorder, Recording
 from footfall.errors import FootfallError, ScenarioError
-from footfall.motion.root_motion import extract_root_path
+from footfall.motion import extract_root_path, with_soles
 from footfall.scenario.cue_sheet import Cue, Scenario
 from footfall.scenario.motions import Motion, body_of, resolve_motion
 from footfall.skeleton import Anatomy, find_anatomy
@@ -72,7 +72,7 @@ class Performance:
     """The motion of each action, in the order of the recording."""
 
     anatomy: Anatomy
-    """Of the body that performed."""
+    """Of the body that performed, its heels on the soles."""
 
     ground: float
     """Height of the ground [m]."""
@@ -126,7 +126,7 @@ def perform(
     except FootfallError as error:
         raise ScenarioError(f"{scenario.path}: {error}") from error
     supports = recording.supports if synchronized else _heaviest(recording, motions)
-    anatomy = find_anatomy(skeleton)
+    anatomy = with_soles(find_anatomy(skeleton), *motions[0].clip.world_poses())
     return Performance(scenario, recording, supports, starts, motions, anatomy, ground)
 
 

@@ -33,6 +33,9 @@ __all__ = ["channel_count", "normalize", "place_chain", "reach_ankle"]
 EFFECTORS = 7
 """Numbers that are lengths: the pelvis' height and two ankle positions."""
 
+ANKLES = 1
+"""Where among them the ankle positions begin."""
+
 
 def channel_count(joints: int) -> int:
     """Return how many numbers a normalized pose of so many joints has."""

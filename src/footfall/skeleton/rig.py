@@ -83,7 +83,7 @@ def _chain_length(skeleton: Skeleton, start: int, end: int) -> float:
 
 
 def _foot_points(skeleton: Skeleton, leg: Leg) -> Positions:
-    """Return heel and toe in the ankle's frame, the foot's own joints at rest."""
+    """Return heel and toe in the ankle's frame, the foot's own joints at rest [m], (2, 3)."""
     points = np.zeros((2, 3))
     for row, point in enumerate((leg.heel, leg.toe)):
         joint = point.joint

@@ -96,5 +96,33 @@ class Skeleton:
         return float(np.linalg.norm(self.rest_offsets[joint]))
 
     def same_family(self, other: Skeleton) -> bool:
-        """Whether both have the same joint names and parents, so that their motions mix."""
-        return self.names == other.names and bool(np.array_equal(self.parents, other.parents))
+        """Whether both have the same joint names and parents, in any order: their motions mix."""
+        return self._parent_names() == other._parent_names()
+
+    def order_of(self, other: Skeleton) -> Indices:
+        """Return where each joint of another skeleton of this family is in this one.
+
+        Raises:
+            UnknownNameError: If a joint is not there.
+        """
+        return np.array([self.index(name) for name in other.names], dtype=np.int64)
+
+    def ordered_like(self, other: Skeleton) -> Skeleton:
+        """Return this skeleton with its joints in the order of another one of its family.
+
+        Raises:
+            UnknownNameError: If a joint is not there.
+        """
+        if self.names == other.names:
+            return self
+        order = self.order_of(other)
+        return Skeleton(
+            other.names, other.parents, self.rest_offsets[order], self.tip_offsets[order]
+        )
+
+    def _parent_names(self) -> dict[str, str | None]:
+        parents: list[int] = self.parents.tolist()
+        return {
+            name: self.names[parent] if parent >= 0 else None
+            for name, parent in zip(self.names, parents, strict=True)
+        }

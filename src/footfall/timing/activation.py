@@ -36,38 +36,38 @@ def level(progress: float) -> float:
 
 @kernel
 def advance_progress(
-    progress: float, elapsed: float, asked: float, dt: float, may_move: bool
+    progress: float, elapsed: float, asked: float, dt: float, pace: float
 ) -> float:
     """Return the progress of a fade after `dt`.
 
-    While the weights may move, progress gains 1 in `asked` seconds. While they may not it
-    waits, until waiting any longer would make the fade last more than twice as long as asked:
-    from that moment on it runs again, so that it is complete at exactly twice the time asked.
-    Hence every fade lasts at least `asked` and at most twice that, and cutting `dt` into
-    pieces changes nothing.
+    At full pace, progress gains 1 in `asked` seconds. Where weights may move only slowly or not
+    at all it waits, until waiting any longer would make the fade last more than twice as long as
+    asked: from that moment on it runs, so that it is complete at exactly twice the time asked.
+    Hence every fade lasts at least `asked` and at most twice that, and at a steady pace cutting
+    `dt` into pieces changes nothing.
 
     Args:
         progress: How far the fade is, 0..1.
         elapsed: Time since the fade began [s], `dt` not included.
         asked: How long the fade should last [s], >= 0; a fade of no length is over at once.
         dt: Time to advance by [s], >= 0.
-        may_move: Whether weights may move all this time: exactly one foot carries.
+        pace: How fast weights may move all this time, 0 to 1, which is full pace.
     """
     if asked <= 0.0:
         return 1.0
-    waiting = 0.0
-    if not may_move:
-        spare = 2.0 * asked - elapsed - (1.0 - progress) * asked
-        waiting = min(max(spare, 0.0), dt)
-    running = dt - waiting
-    if running <= 0.0:
-        return progress
-    left = 2.0 * asked - elapsed - waiting
-    if running >= left:
-        return 1.0
-    # The second is the greater one only for a fade that is already late.
-    speed = max(1.0 / asked, (1.0 - progress) / left)
-    moved = progress + speed * running
+    # Time that can still be spent below full pace, and how long it lasts at this pace.
+    spare = 2.0 * asked - elapsed - (1.0 - progress) * asked
+    easy = dt if spare >= 0.0 else 0.0
+    if pace < 1.0:
+        easy = min(max(spare, 0.0) / (1.0 - pace), dt)
+    running = dt - easy
+    moved = progress + pace / asked * easy
+    if running > 0.0:
+        left = 2.0 * asked - elapsed - easy
+        if running >= left:
+            return 1.0
+        # The second is the greater one only for a fade that is already late.
+        moved += max(1.0 / asked, (1.0 - moved) / left) * running
     return 1.0 if moved >= _COMPLETE else moved
 
 

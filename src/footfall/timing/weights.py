@@ -7,6 +7,9 @@ from footfall.compilation import kernel
 
 __all__ = ["normalize_weights", "slot_duration"]
 
+LONE = 0.1
+"""Share of its own priority that an action counts as the least of what is there besides it."""
+
 
 @kernel
 def normalize_weights(priorities: Weights, levels: Weights, out: Weights) -> None:
@@ -15,12 +18,17 @@ def normalize_weights(priorities: Weights, levels: Weights, out: Weights) -> Non
     On one body part, with priority P and level L of each action and sums over the actions that
     have a priority there,
 
-        weight  = P L / Σ P L · min(1, Σ L)        neutral = 1 - min(1, Σ L).
+        weight  = P M / Σ P M · min(1, Σ L)        neutral = 1 - min(1, Σ L)
 
-    So a lone action at level 1 has weight exactly 1, actions at level 1 share by priority, an
-    action of level or priority 0 has weight exactly 0, the neutral motion has weight only
-    while the levels do not add up to one, a cross-fade with levels adding up to one never
-    shows it, and each weight is continuous in each level.
+        M = L / (1 + P / Q (1 - L))      Q = Σ P L of the others, at least P / 10.
+
+    M is the level bent so that the *weight* of an action that fades while the others stay goes in
+    proportion to its level: with M = L an action of high priority would be nearly all there at
+    half its level, and its fade would begin or end with a jerk. So a lone action at level 1 has
+    weight exactly 1, actions at level 1 share by priority, an action of level or priority 0 has
+    weight exactly 0, the neutral motion has weight only while the levels do not add up to one, a
+    cross-fade with levels adding up to one never shows it, and each weight is continuous in each
+    level.
 
     Args:
         priorities: Priority of each seat's action for each body part, >= 0, shape
@@ -34,16 +42,25 @@ def normalize_weights(priorities: Weights, levels: Weights, out: Weights) -> Non
         total = 0.0
         presence = 0.0
         for seat in range(seats):
+            out[seat, part] = 0.0
             if priorities[seat, part] > 0.0:
                 total += priorities[seat, part] * levels[seat]
                 presence += levels[seat]
         presence = min(presence, 1.0)
         if total <= 0.0:
             presence = 0.0
+        bent_total = 0.0
         for seat in range(seats):
-            out[seat, part] = 0.0
-            if presence > 0.0 and priorities[seat, part] > 0.0:
-                out[seat, part] = priorities[seat, part] * levels[seat] / total * presence
+            own = priorities[seat, part] * levels[seat]
+            if own > 0.0 and presence > 0.0:
+                others = max(total - own, LONE * priorities[seat, part])
+                ratio = priorities[seat, part] / others
+                own /= 1.0 + ratio * (1.0 - levels[seat])
+                out[seat, part] = own
+                bent_total += own
+        for seat in range(seats):
+            if bent_total > 0.0:
+                out[seat, part] = out[seat, part] / bent_total * presence
         out[seats, part] = 1.0 - presence
 
 

@@ -1,0 +1,82 @@
+"""The feet of the blended pose: where they stand if nothing plays, where heel and toe are."""
+
+from __future__ import annotations
+
+from footfall.compilation import inner_kernel
+from footfall.engine.record import SEATS, Character
+from footfall.engine.shelf import Shelf
+from footfall.engine.state import Workspace
+from footfall.geometry import quaternions
+from footfall.skeleton import BodyPart
+from footfall.skeleton.normalized import ANKLES
+from footfall.support import Support
+
+__all__ = ["carries", "locate_feet", "stand_where_planted"]
+
+LEGS = int(BodyPart.LEGS)
+LEFT_FOOT = int(Support.LEFT) & ~int(Support.RIGHT)
+RIGHT_FOOT = int(Support.RIGHT) & ~int(Support.LEFT)
+DOUBLE = int(Support.DOUBLE)
+
+
+@inner_kernel
+def carries(support: int, side: int) -> bool:
+    """Return whether a foot, 0 left or 1 right, is among those that carry."""
+    return (support & (LEFT_FOOT if side == 0 else RIGHT_FOOT)) != 0
+
+
+@inner_kernel
+def stand_where_planted(shelf: Shelf, me: Character) -> None:
+    """Let the neutral motion, where it takes over from both feet, stand where they are.
+
+    Otherwise planted feet would have to slide together, or be held far from their own pose.
+    """
+    weight = me.weights[SEATS, LEGS]
+    if weight <= 0.0:
+        me.stands = False
+        return
+    first = ANKLES + 4 * shelf.joints + 8
+    last = shelf.keys.shape[0] - 1
+    begins = not me.stands
+    if begins:
+        me.stands = True
+        apart = me.support == DOUBLE and not me.fresh and me.synchronized
+        for side in range(2):
+            for axis in range(2):
+                own = shelf.keys[last, first + 3 * side + 2 * axis]
+                shown = me.shown_ankles[side, axis]
+                me.stance[side, axis] = shown - own if apart else 0.0
+    for side in range(2):
+        for axis in range(2):
+            shift = me.stance[side, axis]
+            me.effectors[ANKLES + 3 * side + 2 * axis] += weight * shift
+            for point in range(2):
+                me.seat_points[SEATS, side, point, 2 * axis] += shift
+                if begins:
+                    me.old_points[SEATS, side, point, 2 * axis] += shift
+
+
+@inner_kernel
+def locate_feet(shelf: Shelf, me: Character, work: Workspace) -> None:
+    """Find heel and toe of the blended feet (stage 5).
+
+    Written: `me.points` in leg lengths, `me.heights` over each point's own height at rest.
+    """
+    for side in range(2):
+        q = work.turned[shelf.joints + side]
+        for point in range(2):
+            ox, oy, oz, resting = 0.0, 0.0, 0.0, 0.0
+            for seat in range(SEATS + 1):
+                weight = me.weights[seat, LEGS]
+                if weight > 0.0:
+                    action = me.action[seat] if seat < SEATS else shelf.entries.shape[0]
+                    offset = shelf.points[action, side, point]
+                    ox += weight * offset[0]
+                    oy += weight * offset[1]
+                    oz += weight * offset[2]
+                    resting += weight * shelf.resting_heights[action, side, point]
+            x, y, z = quaternions.rotate(q[0], q[1], q[2], q[3], ox, oy, oz)
+            me.points[side, point, 0] = x + me.effectors[1 + 3 * side]
+            me.points[side, point, 1] = y + me.effectors[2 + 3 * side]
+            me.points[side, point, 2] = z + me.effectors[3 + 3 * side]
+            me.heights[side, point] = me.points[side, point, 1] - resting
