@@ -11,11 +11,12 @@ from typing import Any
 
 import numpy as np
 import pytest
-from tests.detection.carried_slip import inner_slips, sharpest
+from tests.detection.carried_slip import sharpest
 
 from footfall.detection import clean_and_tell, detect_supports
 from footfall.io import load
 from footfall.motion import Clip, cut_cycle
+from footfall.report import Track, clip_trace, measure_spans
 from footfall.skeleton import Anatomy, find_anatomy
 from footfall.support import SupportSequence
 
@@ -38,6 +39,13 @@ def records() -> list[Any]:
 def opened(file: str) -> tuple[Clip, Anatomy]:
     clip = load(FOLDER / file)
     return clip, find_anatomy(clip.skeleton)
+
+
+def inner_slips(clip: Clip, supports: SupportSequence, anatomy: Anatomy) -> list[float]:
+    """Return the inner slip of each support span [m] (measures, section 1)."""
+    track = Track.from_trace(clip_trace(clip, anatomy, supports))
+    slips = [measure.inner_slip for measure in measure_spans(track)]
+    return [slip for slip in slips if slip is not None]
 
 
 def symbols(supports: SupportSequence) -> str:
