@@ -10,6 +10,7 @@ import numpy as np
 
 from footfall.arrays import Floats
 from footfall.detection import detect_contacts
+from footfall.motion import with_soles
 from footfall.report import (
     MethodReport,
     Pops,
@@ -58,8 +59,10 @@ class _Sources:
     def of(cls, motions: tuple[Motion, ...]) -> _Sources:
         slips: list[SourceSlips] = []
         pops: list[Pops] = []
+        feet = with_soles(find_anatomy(motions[0].clip.skeleton), *motions[0].clip.world_poses())
         for motion in motions:
-            anatomy = find_anatomy(motion.clip.skeleton)
+            alike = motion.clip.skeleton.names == motions[0].clip.skeleton.names
+            anatomy = feet if alike else find_anatomy(motion.clip.skeleton)
             slips.append(SourceSlips.of(motion.clip, anatomy, motion.supports))
             trace = clip_trace(motion.clip, anatomy, motion.supports)
             found = joint_pops(Track.from_trace(trace).joints)

@@ -21,7 +21,8 @@ from footfall.timing import advance_progress, warp
 __all__ = ["pass_time"]
 
 LEGS = int(BodyPart.LEGS)
-LEFT, RIGHT, DOUBLE = int(Support.LEFT), int(Support.RIGHT), int(Support.DOUBLE)
+LEFT, RIGHT = int(Support.LEFT), int(Support.RIGHT)
+DOUBLE, FLIGHT = int(Support.DOUBLE), int(Support.FLIGHT)
 
 FADE_EASE = 0.08
 """Time that leg weights take to come to speed, and to rest, while one foot carries [s]."""
@@ -125,15 +126,17 @@ def _run_fades(me: Character, step: float) -> None:
 def _fade_pace(me: Character, step: float) -> float:
     """Return how fast leg weights may move, 0 to 1, in the middle of the next step.
 
-    Full while one foot carries; nothing while both do, or none; it goes from one to the other
-    while the foot carries alone, so that the root is neither kicked nor caught.
+    Full while one foot carries; nothing while both do, or none, unless the body then lands on
+    both, which would leave no better moment. It goes from one to the other gradually, so that
+    the root is neither kicked nor caught.
     """
     if not me.synchronized:
         return 1.0
     support = me.results[0]
-    if support != me.support or support not in (LEFT, RIGHT):
+    moves = support in (LEFT, RIGHT) or (support == FLIGHT and me.results[1] == DOUBLE)
+    if support != me.support or not moves:
         me.alone_time = 0.0
-    if support not in (LEFT, RIGHT):
+    if not moves:
         return 0.0
     pace = (me.alone_time + 0.5 * step) / FADE_EASE
     me.alone_time += step

@@ -65,17 +65,14 @@ def locate_feet(shelf: Shelf, me: Character, work: Workspace) -> None:
     for side in range(2):
         q = work.turned[shelf.joints + side]
         for point in range(2):
-            ox, oy, oz, resting = 0.0, 0.0, 0.0, 0.0
+            offset = shelf.points[side, point]
+            resting = 0.0
             for seat in range(SEATS + 1):
                 weight = me.weights[seat, LEGS]
                 if weight > 0.0:
                     action = me.action[seat] if seat < SEATS else shelf.entries.shape[0]
-                    offset = shelf.points[action, side, point]
-                    ox += weight * offset[0]
-                    oy += weight * offset[1]
-                    oz += weight * offset[2]
                     resting += weight * shelf.resting_heights[action, side, point]
-            x, y, z = quaternions.rotate(q[0], q[1], q[2], q[3], ox, oy, oz)
+            x, y, z = quaternions.rotate(q[0], q[1], q[2], q[3], offset[0], offset[1], offset[2])
             me.points[side, point, 0] = x + me.effectors[1 + 3 * side]
             me.points[side, point, 1] = y + me.effectors[2 + 3 * side]
             me.points[side, point, 2] = z + me.effectors[3 + 3 * side]

@@ -14,7 +14,7 @@ from footfall.engine.packing import PackedClip, pack_clip, pack_standing
 from footfall.engine.priorities import parse_priority
 from footfall.engine.shelf import Shelf, entry_type
 from footfall.errors import ArgumentError, ClipError, SkeletonError, UnknownNameError
-from footfall.motion import Clip
+from footfall.motion import Clip, with_soles
 from footfall.skeleton import Anatomy, Skeleton, find_anatomy
 from footfall.skeleton.rig import Rig, rig_of
 from footfall.support import SupportSequence
@@ -72,7 +72,6 @@ class MotionLibrary:
         self._anatomy: Anatomy | None = None
         self._standing: SmallFloats | None = None
         self._resting: Floats | None = None
-        self._soles: Floats | None = None
 
     @property
     def actions(self) -> tuple[Action, ...]:
@@ -92,7 +91,10 @@ class MotionLibrary:
 
     @property
     def anatomy(self) -> Anatomy:
-        """What the joints of `skeleton` are."""
+        """What the joints of `skeleton` are, its heels on the soles.
+
+        The first clip tells where those are: a foot is one, in whatever motion.
+        """
         if self._anatomy is None:
             self._anatomy = find_anatomy(self.skeleton)
         return self._anatomy
@@ -147,6 +149,8 @@ class MotionLibrary:
         clip = clip.ordered_like(self.skeleton)
         _check_supports(name, clip, supports)
         values = parse_priority(priority)
+        if not self._actions:
+            self._anatomy = with_soles(self.anatomy, *clip.world_poses())
         packed = pack_clip(clip, self.anatomy, supports)
         if self._standing is None:
             self._stand_like(packed)
@@ -169,12 +173,12 @@ class MotionLibrary:
         joints = self.skeleton.count
         if self._neutral is None:
             self._standing = pack_standing(packed, joints)
-            self._resting, self._soles = packed.resting_heights, packed.foot_points
+            self._resting = packed.resting_heights
             return
         both = SupportSequence.parse("D")
         stance = pack_clip(self._neutral.ordered_like(self.skeleton), self.anatomy, both)
         self._standing = stance.keys[:1]
-        self._resting, self._soles = stance.resting_heights, stance.foot_points
+        self._resting = stance.resting_heights
 
     def shelf(self, planner: Planner = "footfall") -> Shelf:
         """Return the library as the kernels take it.
@@ -183,8 +187,9 @@ class MotionLibrary:
             ArgumentError: If no clip has been added yet.
         """
         actions = self._actions
-        if not actions or self._standing is None or self._resting is None or self._soles is None:
+        if not actions or self._standing is None or self._resting is None:
             raise ArgumentError("the library is empty; add a clip first")
+        rig = self.rig()
         sequences = [action.supports for action in actions]
         standing_root = np.zeros((1, 3))
         return Shelf(
@@ -196,7 +201,7 @@ class MotionLibrary:
             ),
             table=SequenceTable.of(sequences),
             phase_starts=np.concatenate([one.boundaries[:-1] for one in sequences]),
-            points=np.stack([*(action.packed.foot_points for action in actions), self._soles]),
+            points=rig.foot_points / rig.leg_length,
             use_paper_cubic=planner == "paper",
             joints=self.skeleton.count,
         )

@@ -8,9 +8,9 @@ import numpy as np
 
 from footfall.arrays import Flags, Floats, Positions, Rotations, SmallFloats
 from footfall.geometry import conjugate, multiply
-from footfall.motion import Clip, extract_root_path, with_soles
+from footfall.motion import Clip, extract_root_path
 from footfall.skeleton import Anatomy
-from footfall.skeleton.normalized import channel_count, normalize
+from footfall.skeleton.normalized import ANKLES, channel_count, normalize
 from footfall.skeleton.rig import Rig, rig_of
 from footfall.support import SupportSequence
 
@@ -33,9 +33,6 @@ class PackedClip(NamedTuple):
     resting_heights: Floats
     """Heel and toe of each foot over the ground at rest, in leg lengths, shape (2, 2)."""
 
-    foot_points: Positions
-    """Heel and toe of each foot in the ankle's frame, in leg lengths, shape (2, 2, 3)."""
-
     floor: float
     """Height of the ground in the clip's own world [m]."""
 
@@ -50,11 +47,11 @@ def pack_clip(clip: Clip, anatomy: Anatomy, supports: SupportSequence) -> Packed
 
     Args:
         clip: The motion.
-        anatomy: What the joints of its skeleton are.
+        anatomy: What the joints of its skeleton are, heels on the soles.
         supports: What carries the body when.
     """
     rotations, positions = clip.world_poses()
-    rig = rig_of(clip.skeleton, with_soles(anatomy, rotations, positions))
+    rig = rig_of(clip.skeleton, anatomy)
     carried = _carrying_feet(clip, supports)
     resting = _resting_heights(rig, rotations, positions, carried)
     floor = float(resting.min(axis=1).mean())
@@ -67,7 +64,6 @@ def pack_clip(clip: Clip, anatomy: Anatomy, supports: SupportSequence) -> Packed
         keys,
         roots,
         (resting - floor) / rig.leg_length,
-        rig.foot_points / rig.leg_length,
         floor,
         rig.leg_length,
     )
@@ -111,16 +107,14 @@ def pack_standing(packed: PackedClip, joints: int) -> SmallFloats:
     rotations = keys[:, : 4 * joints + 8].reshape(len(keys), -1, 4)
     mean = rotations.mean(axis=0)
     mean /= np.maximum(np.linalg.norm(mean, axis=-1, keepdims=True), 1e-12)
-    for side in range(2):
-        mean[joints + side] = _flattest(keys, joints, side, rotations[:, joints + side])
-    pose[0, : 4 * joints + 8] = mean.reshape(-1)
     effectors = keys[:, 4 * joints + 8 :].mean(axis=0)
-    effectors[2], effectors[5] = packed.resting_heights[:, 0]
+    for side in range(2):
+        # A foot is flat on the ground where its ankle is lowest.
+        height = 4 * joints + 8 + ANKLES + 3 * side + 1
+        flattest = int(np.argmin(keys[:, height]))
+        mean[joints + side] = rotations[flattest, joints + side]
+        effectors[ANKLES + 3 * side + 1] = keys[flattest, height]
+    pose[0, : 4 * joints + 8] = mean.reshape(-1)
     effectors[3] = effectors[6] = 0.5 * (effectors[3] + effectors[6])
     pose[0, 4 * joints + 8 :] = effectors
     return pose
-
-
-def _flattest(keys: Floats, joints: int, side: int, rotations: Rotations) -> Floats:
-    """Return the rotation of a foot where its ankle is lowest: flat on the ground."""
-    return rotations[int(np.argmin(keys[:, 4 * joints + 10 + 3 * side]))]

@@ -26,13 +26,11 @@ def blend_poses(shelf: Shelf, rig: Rig, me: Character, work: Workspace) -> None:
     """Sample every action and the neutral motion, and blend them by body part (stage 4)."""
     clear_pose(work.turned, me.effectors)
     for seat in range(SEATS + 1):
-        action = shelf.entries.shape[0]
         frame, fraction = shelf.keys.shape[0] - 1, 0.0
         if seat < SEATS:
             if me.status[seat] < RUNNING:
                 continue
-            action = me.action[seat]
-            frame, fraction, _ = key_at(shelf.entries[action], me.clip_time[seat])
+            frame, fraction, _ = key_at(shelf.entries[me.action[seat]], me.clip_time[seat])
         for side in range(2):
             for point in range(2):
                 for axis in range(3):
@@ -47,7 +45,7 @@ def blend_poses(shelf: Shelf, rig: Rig, me: Character, work: Workspace) -> None:
             work.turned,
             me.effectors,
         )
-        read_points(shelf, action, frame, fraction, me.seat_points[seat])
+        read_points(shelf, frame, fraction, me.seat_points[seat])
     finish_pose(work.turned)
 
 

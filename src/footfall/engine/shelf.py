@@ -115,8 +115,8 @@ class Shelf(NamedTuple):
     """Clip time at which each phase begins [s], beside `table.supports`, shape (phases,)."""
 
     points: Positions
-    """Heel and toe of each foot in the ankle's frame, in leg lengths; the neutral motion is last.
-    Shape (actions + 1, 2 feet, 2 points, 3)."""
+    """Heel and toe of each foot in the ankle's frame, in leg lengths, (2 feet, 2 points, 3).
+    One foot for all motions: a point that meant another place in each would slide in a mix."""
 
     use_paper_cubic: bool
     """Whether time is warped, and durations are voted, literally as printed."""
@@ -202,7 +202,7 @@ def travel(shelf: Shelf, action: int, before: float, after: float) -> tuple[floa
 
 
 @inner_kernel
-def read_points(shelf: Shelf, action: int, frame: int, fraction: float, out: Positions) -> None:
+def read_points(shelf: Shelf, frame: int, fraction: float, out: Positions) -> None:
     """Write heel and toe of each foot, relative to the root, in leg lengths, (2, 2, 3)."""
     keys = shelf.keys
     after = frame + 1 if fraction > 0.0 else frame
@@ -221,7 +221,7 @@ def read_points(shelf: Shelf, action: int, frame: int, fraction: float, out: Pos
             fraction,
         )
         for point in range(2):
-            offset = shelf.points[action, side, point]
+            offset = shelf.points[side, point]
             px, py, pz = quaternions.rotate(w, x, y, z, offset[0], offset[1], offset[2])
             out[side, point, 0] = px
             out[side, point, 1] = py

@@ -79,7 +79,7 @@ def enter_action(shelf: Shelf, me: Character, rules: Rules, seat: int) -> bool:
         me.fade_elapsed[seat, group] = 0.0
     me.posed_time[seat] = me.clip_time[seat]
     frame, fraction, _ = key_at(shelf.entries[action], me.clip_time[seat])
-    read_points(shelf, action, frame, fraction, me.seat_points[seat])
+    read_points(shelf, frame, fraction, me.seat_points[seat])
     update_weights(me)
     rebuild_warps(shelf, me)
     return True

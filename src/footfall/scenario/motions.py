@@ -8,13 +8,13 @@ from pathlib import Path
 from footfall.detection import clean, detect_supports
 from footfall.errors import FileFormatError, FootfallError, ScenarioError
 from footfall.io import load, load_native_supports, load_supports
-from footfall.motion import Clip
+from footfall.motion import Clip, with_soles
 from footfall.motion.cycle_closing import close_cycle, cut_cycle
 from footfall.motion.editing import crop
 from footfall.motion.mirroring import mirror
 from footfall.samples import sample
 from footfall.scenario.cue_sheet import ActionEntry, Scenario
-from footfall.skeleton import Skeleton, find_anatomy
+from footfall.skeleton import Anatomy, Skeleton, find_anatomy
 from footfall.support import Support, SupportPhase, SupportSequence
 
 __all__ = [
@@ -95,22 +95,28 @@ def body_of(scenario: Scenario) -> Skeleton | None:
         raise ScenarioError(f"{scenario.path}: body: {error}") from error
 
 
-def resolve_motion(entry: ActionEntry, scenario: Scenario) -> Motion:
+def resolve_motion(entry: ActionEntry, scenario: Scenario, like: Motion | None = None) -> Motion:
     """Return the motion of an action as it is performed.
 
     Supports are those that the action names; else those that travel with the motion, unless it
     is cut; else they are detected.
 
+    Args:
+        entry: Which action.
+        scenario: Its cue sheet.
+        like: The motion whose feet it is cleaned for, if they are of one family: feet that play
+            together are held at the same points.
+
     Raises:
         ScenarioError: If the motion cannot be read or edited as asked.
     """
     try:
-        return _resolved(entry, scenario)
+        return _resolved(entry, scenario, like)
     except FootfallError as error:
         raise ScenarioError(f"{scenario.path}: action {entry.name!r}: {error}") from error
 
 
-def _resolved(entry: ActionEntry, scenario: Scenario) -> Motion:
+def _resolved(entry: ActionEntry, scenario: Scenario, like: Motion | None) -> Motion:
     clip, known = load_motion(entry.motion, scenario.path.parent, scenario.fps)
     anatomy = find_anatomy(clip.skeleton)
     if entry.mirror:
@@ -133,8 +139,15 @@ def _resolved(entry: ActionEntry, scenario: Scenario) -> Motion:
         clip = clip if known.cyclic == clip.cyclic else _played(clip, known.cyclic)
     supports = detect_supports(clip, anatomy) if known is None else known
     if entry.clean:
-        clip = clean(clip, supports, anatomy)
+        clip = clean(clip, supports, _feet(clip, anatomy, like))
     return Motion(clip, supports)
+
+
+def _feet(clip: Clip, anatomy: Anatomy, like: Motion | None) -> Anatomy:
+    """Return the anatomy with the soles of another motion of the same body."""
+    if like is None or like.clip.skeleton.names != clip.skeleton.names:
+        return anatomy
+    return with_soles(anatomy, *like.clip.world_poses())
 
 
 def _named_supports(path: Path) -> SupportSequence:

@@ -80,7 +80,9 @@ class Performance:
 
 def load_motions(scenario: Scenario) -> tuple[Motion, ...]:
     """Return the motion of each action; errors as of `resolve_motion`."""
-    return tuple(resolve_motion(entry, scenario) for entry in scenario.actions)
+    first = resolve_motion(scenario.actions[0], scenario)
+    others = (resolve_motion(entry, scenario, first) for entry in scenario.actions[1:])
+    return (first, *others)
 
 
 def perform(
