@@ -21,7 +21,8 @@ SOFT_REACH = 0.985
 the limb is already straighter than that."""
 
 LONGEST_REACH = 0.9995
-"""Extension that is never exceeded: a perfectly straight limb has no bending plane."""
+"""Extension that is never exceeded by reaching, since a perfectly straight limb has no bending
+plane; one that is straighter already stays as straight."""
 
 _HINT_SHARE = 0.02
 """Greatest pull of the hint on the bending direction; it decides below one degree of bend."""
@@ -37,15 +38,15 @@ _HINT_MOVE = 0.01
 def softened_reach(distance: float, length: float, present: float) -> float:
     """Return how far a limb extends for a target at this distance.
 
-    The distance itself up to the soft limit, then ever less, never beyond `LONGEST_REACH`: the
-    limb approaches full extension without snapping into it.
+    The distance itself up to the soft limit, then ever less, never beyond `LONGEST_REACH` nor
+    what the limb has already: it approaches full extension without snapping into it.
 
     Args:
         distance: From the limb's start to its target [m].
         length: Of both bones together [m].
         present: The limb's extension before [m]: a limb that is already straight may stay so.
     """
-    longest = LONGEST_REACH * length
+    longest = min(max(LONGEST_REACH * length, present), length)
     start = min(max(SOFT_REACH * length, present), longest)
     room = longest - start
     if distance <= start:
