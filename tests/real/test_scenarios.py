@@ -6,7 +6,6 @@ all their clips are cleaned at import.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
 from pathlib import Path
 
 import numpy as np
@@ -37,11 +36,11 @@ METHODS = ("cross-fade", "paper", "no-footprints", "footfall")
 FADED = (Group.TRANSITIONS, Group.MIXES)
 
 
-@dataclass
 class Pool:
     """What is measured of one method, over all cue sheets."""
 
-    spans: list[SpanMeasure] = field(default_factory=list)
+    def __init__(self) -> None:
+        self.spans: list[SpanMeasure] = []
 
     def values(self, what: str, group: Group | None = None) -> Floats:
         """Return a measure of all spans, or of those of one group [mm]."""
