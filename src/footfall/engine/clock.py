@@ -24,7 +24,7 @@ LEGS = int(BodyPart.LEGS)
 LEFT, RIGHT = int(Support.LEFT), int(Support.RIGHT)
 DOUBLE, FLIGHT = int(Support.DOUBLE), int(Support.FLIGHT)
 
-FADE_EASE = 0.08
+FADE_EASE = 0.1
 """Time that leg weights take to come to speed, and to rest, while one foot carries [s]."""
 
 SAME_MOMENT = 1e-9
