@@ -82,7 +82,7 @@ def test_a_carrying_foot_settles_to_the_height_of_the_ground() -> None:
     offset, velocity = still()
     heights: list[float] = []
     for _ in range(60):
-        hold_foot(offset, velocity, (0.0, 0.0), 0.02, 1.0, DT)
+        hold_foot(offset, velocity, (0.0, 0.0), -0.02, 1.0, DT)
         heights.append(0.02 + float(offset[1]))
     assert heights[0] > 0.015
     assert min(heights) >= 0.0
@@ -93,7 +93,7 @@ def test_a_released_foot_goes_on_without_a_jump_and_comes_back() -> None:
     offset, velocity = np.array([0.05, 0.0, 0.0]), np.array([0.2, 0.0, 0.0])
     path = [0.05]
     for _ in range(60):
-        release_foot(offset, velocity, 0.1, DT)
+        release_foot(offset, velocity, 0.0, -0.1, DT)
         path.append(float(offset[0]))
     # A spring of 14 /s accelerates by at most 14² times how far it is, and twice 14 its speed.
     assert np.abs(np.diff(path, n=2) / DT**2).max() < 14.0**2 * 0.06 + 28.0 * 0.2
@@ -102,15 +102,22 @@ def test_a_released_foot_goes_on_without_a_jump_and_comes_back() -> None:
 
 def test_a_swinging_foot_is_not_let_below_the_ground() -> None:
     offset, velocity = np.array([0.0, -0.03, 0.0]), np.array([0.0, -1.0, 0.0])
-    release_foot(offset, velocity, 0.01, DT)
+    release_foot(offset, velocity, 0.0, -0.01, DT)
     assert offset[1] == -0.01
     assert velocity[1] >= 0.0
+
+
+def test_a_swinging_foot_is_raised_over_what_lies_ahead() -> None:
+    offset, velocity = still()
+    for _ in range(30):
+        release_foot(offset, velocity, 0.18, -1.0, DT)
+    assert offset[1] == pytest.approx(0.18, abs=0.001)
 
 
 def test_without_time_nothing_is_divided_by_it() -> None:
     offset, velocity = still()
     hold_foot(offset, velocity, (0.001, 0.0), 0.01, 1.0, 0.0)
-    release_foot(offset, velocity, 0.0, 0.0)
+    release_foot(offset, velocity, 0.0, 0.0, 0.0)
     assert np.isfinite(offset).all()
     assert np.isfinite(velocity).all()
     assert GRIP_TIME > 0.0

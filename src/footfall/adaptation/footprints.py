@@ -41,6 +41,9 @@ foot still or already moves there, and stopping it at once would jerk."""
 RELEASE_SPEED = 14.0
 """Of the spring that takes an offset back during the swing [1/s]."""
 
+LIFT_SPEED = 30.0
+"""Of the spring that raises a swinging foot over what lies ahead [1/s]."""
+
 SETTLE_SPEED = 25.0
 """Of the spring that brings a carrying foot to the height of the ground [1/s]."""
 
@@ -96,29 +99,32 @@ def hold_foot(
         offset: How far the foot is moved [m], shape (3,); updated.
         velocity: How fast that changes [m/s], shape (3,); updated.
         slide: How far the blended pose moved the carrying point over the ground, x and z [m].
-        height: Of the carrying point over the ground, before the offset [m].
+        height: How far the foot has to be raised for its lowest point to touch the ground [m].
         grip: How firmly it is held, 0..1.
         dt: Time step [s].
     """
     for axis, moved in ((0, slide[0]), (2, slide[1])):
         offset[axis] -= grip * moved
         velocity[axis] = -grip * moved / dt if dt > 0.0 else 0.0
-    offset[1], velocity[1] = spring(offset[1], velocity[1], -height, SETTLE_SPEED, dt)
+    offset[1], velocity[1] = spring(offset[1], velocity[1], height, SETTLE_SPEED, dt)
 
 
 @kernel
-def release_foot(offset: Positions, velocity: Positions, lowest: float, dt: float) -> None:
+def release_foot(
+    offset: Positions, velocity: Positions, goal: float, least: float, dt: float
+) -> None:
     """Take a swinging foot's offset back; arguments as in `hold_foot`.
 
     Args:
         offset: Updated, shape (3,) [m].
         velocity: Updated, shape (3,) [m/s].
-        lowest: Height of the lowest point of the foot over the ground, before the offset [m];
-            the foot is not let below the ground.
+        goal: How far it should be raised [m]: 0 over level ground.
+        least: How far it has to be raised at least, not to be under the ground [m].
         dt: Time step [s].
     """
-    for axis in range(3):
+    for axis in (0, 2):
         offset[axis], velocity[axis] = spring(offset[axis], velocity[axis], 0.0, RELEASE_SPEED, dt)
-    if offset[1] < -max(lowest, 0.0):
-        offset[1] = -max(lowest, 0.0)
+    offset[1], velocity[1] = spring(offset[1], velocity[1], goal, LIFT_SPEED, dt)
+    if offset[1] < least:
+        offset[1] = least
         velocity[1] = max(velocity[1], 0.0)

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from footfall.adaptation import Plane
+from footfall.adaptation import AnyGround
 from footfall.engine.crowd import Crowd
 from footfall.engine.library import MotionLibrary
 from footfall.engine.state import EMPTY, WAITING, Frame
@@ -45,7 +45,7 @@ class Character:
         self,
         skeleton: Skeleton,
         *,
-        ground: Plane | None = None,
+        ground: AnyGround | None = None,
         planner: Planner = "footfall",
         lookahead: int = 5,
         synchronized: bool = True,

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from footfall.adaptation import Plane
+from footfall.adaptation import AnyGround, Plane, pack_ground
 from footfall.arrays import Indices, Positions, Rotations, Supports
 from footfall.engine.commands import NO_SEAT, start_row, stop_row
 from footfall.engine.library import MotionLibrary
@@ -37,7 +37,7 @@ class Crowd:
         size: int = 1,
         *,
         skeleton: Skeleton | None = None,
-        ground: Plane | None = None,
+        ground: AnyGround | None = None,
         planner: Planner = "footfall",
         lookahead: int = 5,
         synchronized: bool = True,
@@ -81,9 +81,19 @@ class Crowd:
         self._characters = new_characters(size, lookahead)
         self._characters["synchronized"] = synchronized
         self._characters["printed"] = footprints and synchronized
-        self._characters["ground_height"] = (ground or Plane()).height
+        self.ground = Plane() if ground is None else ground
         self._world_positions = np.zeros((size, self.skeleton.count, 3))
         self._world_rotations = np.zeros((size, self.skeleton.count, 4))
+
+    @property
+    def ground(self) -> AnyGround:
+        """What they stand on; it may be exchanged at any moment, while they walk."""
+        return self._ground
+
+    @ground.setter
+    def ground(self, ground: AnyGround) -> None:
+        self._ground = ground
+        self._packed_ground = pack_ground(ground)
 
     def _refresh(self) -> None:
         if len(self.library.actions) != self._known:
@@ -200,8 +210,9 @@ class Crowd:
             raise ArgumentError("a position or heading is not finite; finite numbers are needed")
         self._characters["root"][chosen, :2] = places
         self._characters["root"][chosen, 2] = headings
-        self._characters["foot_offset"][chosen] = 0.0
-        self._characters["foot_velocity"][chosen] = 0.0
+        for field in ("foot_offset", "foot_velocity", "toe_velocity"):
+            self._characters[field][chosen] = 0.0
+        self._characters["placed"][chosen] = True
 
     def advance(self, dt: float) -> None:
         """Let time pass for everybody.
@@ -217,6 +228,7 @@ class Crowd:
         self._refresh()
         advance_rows(
             self._shelf,
+            self._packed_ground,
             self._rig,
             self._characters,
             self._work,

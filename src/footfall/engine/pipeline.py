@@ -11,15 +11,17 @@ from typing import Any
 
 import numpy.typing as npt
 
+from footfall.adaptation.surfaces import Ground
 from footfall.arrays import Positions, Rotations
 from footfall.compilation import inner_kernel, kernel
 from footfall.engine.clock import pass_time
 from footfall.engine.feet import locate_feet, stand_where_planted
-from footfall.engine.placing import keep_footprints, place_body, write_world
+from footfall.engine.placing import place_body, write_world
 from footfall.engine.pose import blend_poses, move_root
 from footfall.engine.record import Character
 from footfall.engine.shelf import Shelf
 from footfall.engine.state import Workspace
+from footfall.engine.treading import keep_footprints, ride
 from footfall.skeleton.rig import Rig
 from footfall.sync.tables import Rules
 
@@ -31,7 +33,13 @@ LONGEST_STEP = 1.0 / 30.0
 
 @inner_kernel
 def _advance_row(
-    shelf: Shelf, rig: Rig, me: Character, work: Workspace, rules: Rules, dt: float
+    shelf: Shelf,
+    ground: Ground,
+    rig: Rig,
+    me: Character,
+    work: Workspace,
+    rules: Rules,
+    dt: float,
 ) -> None:
     """Advance one character by `dt` seconds, at most `LONGEST_STEP`."""
     # 1-3. Which phases are played together, how long they last, what time it is in each clip.
@@ -41,18 +49,21 @@ def _advance_row(
     # 5. The feet of that mean; where nothing plays they stand where they were planted.
     stand_where_planted(shelf, me)
     locate_feet(shelf, me, work)
-    # 6. The way over the ground, so that the heel or toe that carries stays.
+    # 6. What carries the feet takes them along; then the way over the ground, so that the heel
+    #    or toe that carries stays.
+    ride(ground, me, dt)
     move_root(shelf, rig, me, dt)
     # 7. The footprints: what was planted is held, what is lifted is let go.
-    keep_footprints(rig, me, dt)
+    keep_footprints(ground, rig, me, dt)
     # 8. This body's lengths; the legs reach for their footprints.
     place_body(shelf, rig, me, work, dt)
-    me.fresh = False
+    me.fresh = me.placed = False
 
 
 @kernel
 def advance_rows(
     shelf: Shelf,
+    ground: Ground,
     rig: Rig,
     characters: npt.NDArray[Any],
     work: Workspace,
@@ -65,6 +76,7 @@ def advance_rows(
 
     Args:
         shelf: The library.
+        ground: What they stand on.
         rig: Their body.
         characters: Records of `character_type`, shape (rows,).
         work: Memory to work in.
@@ -77,6 +89,6 @@ def advance_rows(
     for row in range(characters.shape[0]):
         me: Character = characters[row]
         for _ in range(steps):
-            _advance_row(shelf, rig, me, work, rules, dt / steps)
+            _advance_row(shelf, ground, rig, me, work, rules, dt / steps)
         # 9. Into the world.
         write_world(shelf, me, work, world_rotations[row], world_positions[row])

@@ -30,8 +30,36 @@ class Character:
     root: Annotated[Floats, 3]
     """Where the root is on the ground: x [m], z [m], heading [rad], shape (3,)."""
 
-    ground_height: float
-    """Height of the flat ground [m]."""
+    level: Annotated[Floats, 2]
+    """Height of the root's own level, on which the blended pose stands [m], and how fast it
+    changes [m/s], shape (2,)."""
+
+    foot_ground: Annotated[Floats, 2, 2]
+    """Height of the ground under heel and toe of each foot [m], shape (2, 2)."""
+
+    foot_slope: Annotated[Floats, 2, 2]
+    """How the sole of each foot is tilted: rise per meter along the world's x and z, (2, 2)."""
+
+    tilt: Annotated[Floats, 2, 2]
+    """The tilt of each sole in the pose shown last, likewise, shape (2, 2)."""
+
+    tilt_rise: Annotated[Floats, 2, 2]
+    """How far that raises heel and toe [m], shape (2, 2)."""
+
+    ground_slope: Annotated[Floats, 2, 2]
+    """How the ground under each foot is tilted, likewise, shape (2, 2)."""
+
+    ground_below: Annotated[Floats, 2]
+    """Height of the ground under the middle of each sole [m], shape (2,)."""
+
+    surface: Annotated[Indices, 2]
+    """The surface that each carrying foot is on, else -1, shape (2,)."""
+
+    carried: Annotated[Positions, 2, 3]
+    """How far the surfaces under the feet have taken them since the beginning [m], (2, 3)."""
+
+    toe_velocity: Annotated[Floats, 2, 2]
+    """How fast the blended toes go over the ground, x and z [m/s], shape (2, 2)."""
 
     synchronized: bool
     """Whether actions are synchronized, or play side by side."""
@@ -41,6 +69,9 @@ class Character:
 
     fresh: bool
     """Whether nothing has been shown yet: the first action then starts at full level."""
+
+    placed: bool
+    """Whether it was put somewhere since the pose shown last: there are no footprints then."""
 
     support: int
     """What carries the body now."""

@@ -56,7 +56,11 @@ class Recording:
     """Absolute index of the phase played; NaN where none is synchronized. (frames, actions)."""
 
     foot_offsets: Floats
-    """How far footprints moved each foot [m], shape (frames, 2)."""
+    """How far footprints moved each foot [m], from where the pose has it over the ground,
+    shape (frames, 2)."""
+
+    carried: Positions
+    """How far moving surfaces have taken each foot since the beginning [m], (frames, 2, 3)."""
 
     @property
     def frames(self) -> int:
@@ -118,6 +122,7 @@ class Recorder:
                 rates,
                 phases,
                 np.linalg.norm(me["foot_offset"], axis=-1),
+                me["carried"].copy(),
             )
         )
 
@@ -138,4 +143,5 @@ class Recorder:
             frozen(arrays[6]),
             frozen(arrays[7]),
             frozen(arrays[8]),
+            frozen(arrays[9]),
         )

@@ -82,6 +82,7 @@ def new_characters(rows: int, lookahead: int) -> npt.NDArray[Any]:
     characters["synchronized"] = 1
     characters["printed"] = 1
     characters["fresh"] = 1
+    characters["placed"] = 1
     characters["weights"][:, SEATS] = 1.0
     characters["phases"] = ABSENT
     characters["spare_phases"] = ABSENT

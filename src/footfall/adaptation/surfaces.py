@@ -1,0 +1,236 @@
+"""Surfaces as the kernels take them: how high each is at a place and a time, and how it moves."""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple, Protocol
+
+import numpy as np
+
+from footfall.arrays import Floats
+from footfall.compilation import inner_kernel
+from footfall.geometry import transforms
+
+__all__ = [
+    "FIELD",
+    "SLOPE",
+    "STAIRS",
+    "Contact",
+    "Ground",
+    "Surface",
+    "carry",
+    "frame_of",
+    "probe",
+    "surface_type",
+]
+
+SLOPE, STAIRS, FIELD = 0, 1, 2
+"""What a surface is: an even slope, steps that rise along its own z, or heights on a grid."""
+
+TURN = 2.0 * math.pi
+
+
+class Surface:
+    """One surface: a record of `surface_type`. Its own frame lies in its middle, z forward."""
+
+    kind: int
+    """`SLOPE`, `STAIRS` or `FIELD`."""
+
+    x: float
+    """Where its frame is at clock time 0 [m]."""
+
+    y: float
+    """Its height there [m]."""
+
+    z: float
+    """[m]"""
+
+    heading: float
+    """[rad]"""
+
+    half_x: float
+    """Half its width [m]; infinite where it has no end."""
+
+    half_z: float
+    """Half its length [m], likewise."""
+
+    slope_x: float
+    """Rise per meter along its own x."""
+
+    slope_z: float
+    """Rise per meter along its own z."""
+
+    rise: float
+    """Of one step [m]."""
+
+    tread: float
+    """Of one step [m]."""
+
+    steps: int
+    """How many."""
+
+    way_x: float
+    """How far it goes each way from where it is at rest [m], or, where `period` is 0, per
+    second."""
+
+    way_y: float
+    """[m]"""
+
+    way_z: float
+    """[m]"""
+
+    period: float
+    """Of its way there and back [s]; 0 where it goes on for ever."""
+
+    turning: float
+    """How fast it turns about its middle [rad/s]."""
+
+    first: int
+    """Where its heights begin in `Ground.samples`."""
+
+    count_x: int
+    """How many there are along its own x."""
+
+    count_z: int
+    """And along its own z."""
+
+    spacing: float
+    """Between them [m]."""
+
+
+surface_type = np.dtype(
+    [
+        (name, np.int64 if hint == "int" else np.float64)
+        for name, hint in Surface.__annotations__.items()
+    ],
+    align=True,
+)
+"""The memory layout of `Surface`."""
+
+
+class Surfaces(Protocol):
+    """An array of `Surface` records, shape (surfaces,)."""
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """How many there are, as a tuple of one."""
+        ...
+
+    def __getitem__(self, index: int) -> Surface:
+        """Return one surface."""
+        ...
+
+
+class Ground(NamedTuple):
+    """All surfaces that a character may stand on.
+
+    Where several lie above each other the highest counts.
+    """
+
+    surfaces: Surfaces
+    """One record of `surface_type` for each, shape (surfaces,)."""
+
+    samples: Floats
+    """The heights of all grids, one after the other, row by row along x [m], shape (samples,)."""
+
+
+class Contact(NamedTuple):
+    """What is found under a place."""
+
+    height: float
+    """[m]"""
+
+    slope_x: float
+    """Rise per meter along the world's x."""
+
+    slope_z: float
+    """Rise per meter along the world's z."""
+
+    surface: int
+    """Which surface it is; -1 where there is none."""
+
+
+@inner_kernel
+def frame_of(surface: Surface, time: float) -> tuple[float, float, float, float]:
+    """Return where a surface is at a clock time: x, y, z [m] and heading [rad]."""
+    share = time
+    if surface.period > 0.0:
+        share = math.sin(TURN * time / surface.period)
+    return (
+        surface.x + share * surface.way_x,
+        surface.y + share * surface.way_y,
+        surface.z + share * surface.way_z,
+        surface.heading + time * surface.turning,
+    )
+
+
+@inner_kernel
+def probe(ground: Ground, x: float, z: float, time: float) -> Contact:
+    """Return what lies under a place at a clock time; height 0 and level where nothing does."""
+    best = Contact(0.0, 0.0, 0.0, -1)
+    for index in range(ground.surfaces.shape[0]):
+        surface = ground.surfaces[index]
+        fx, fy, fz, heading = frame_of(surface, time)
+        lx, lz = transforms.apply(0.0, 0.0, -heading, x - fx, z - fz)
+        if abs(lx) > surface.half_x or abs(lz) > surface.half_z:
+            continue
+        rise, slope_x, slope_z = _relief(ground, surface, lx, lz)
+        height = fy + rise
+        if best.surface < 0 or height > best.height:
+            world_x, world_z = transforms.apply(0.0, 0.0, heading, slope_x, slope_z)
+            best = Contact(height, world_x, world_z, index)
+    return best
+
+
+@inner_kernel
+def _relief(ground: Ground, surface: Surface, x: float, z: float) -> tuple[float, float, float]:
+    """Return how high a surface is over its frame, and its slopes, at a place in that frame."""
+    if surface.kind == STAIRS:
+        done = math.floor((z + surface.half_z) / surface.tread) + 1.0
+        return surface.rise * min(max(done, 0.0), float(surface.steps)), 0.0, 0.0
+    if surface.kind == FIELD:
+        return _interpolated(ground.samples, surface, x, z)
+    return surface.slope_x * x + surface.slope_z * z, surface.slope_x, surface.slope_z
+
+
+@inner_kernel
+def _interpolated(
+    samples: Floats, surface: Surface, x: float, z: float
+) -> tuple[float, float, float]:
+    """Return height and slopes of a grid, linear between its heights; its edge goes on level."""
+    columns, rows = surface.count_x, surface.count_z
+    u = min(max(x / surface.spacing + 0.5 * (columns - 1), 0.0), columns - 1.0)
+    v = min(max(z / surface.spacing + 0.5 * (rows - 1), 0.0), rows - 1.0)
+    column, row = min(int(u), columns - 2), min(int(v), rows - 2)
+    u, v = u - column, v - row
+    corner = surface.first + row * columns + column
+    a, b = samples[corner], samples[corner + 1]
+    c, d = samples[corner + columns], samples[corner + columns + 1]
+    height = (1.0 - v) * ((1.0 - u) * a + u * b) + v * ((1.0 - u) * c + u * d)
+    slope_x = ((1.0 - v) * (b - a) + v * (d - c)) / surface.spacing
+    slope_z = ((1.0 - u) * (c - a) + u * (d - b)) / surface.spacing
+    return height, slope_x, slope_z
+
+
+@inner_kernel
+def carry(
+    ground: Ground, surface: int, x: float, z: float, before: float, after: float
+) -> tuple[float, float, float, float]:
+    """Return how a surface takes a place with it: displacement x, y, z [m] and turn [rad].
+
+    Args:
+        ground: All surfaces.
+        surface: Which one; -1 for none, which goes nowhere.
+        x: The place at `before` [m].
+        z: Likewise.
+        before: Clock time [s].
+        after: Clock time [s].
+    """
+    if surface < 0:
+        return 0.0, 0.0, 0.0, 0.0
+    one = ground.surfaces[surface]
+    ax, ay, az, a_heading = frame_of(one, before)
+    bx, by, bz, b_heading = frame_of(one, after)
+    turn = b_heading - a_heading
+    moved_x, moved_z = transforms.apply(bx, bz, turn, x - ax, z - az)
+    return moved_x - x, by - ay, moved_z - z, turn

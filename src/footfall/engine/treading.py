@@ -1,0 +1,242 @@
+"""Feet on the ground: they hold where they came down, on whatever that is (stage 7)."""
+
+from __future__ import annotations
+
+from footfall.adaptation.footprints import (
+    GRIP_TIME,
+    approach,
+    hold_foot,
+    release_foot,
+    spring,
+)
+from footfall.adaptation.surfaces import Ground, carry, probe
+from footfall.blending.root import mix_point
+from footfall.compilation import inner_kernel
+from footfall.engine.feet import carries
+from footfall.engine.record import Character
+from footfall.geometry import quaternions, transforms
+from footfall.skeleton.rig import Rig
+
+__all__ = ["keep_footprints", "ride"]
+
+LEVEL_SPEED = 10.0
+"""Of the spring with which the root follows the ground under its feet [1/s]."""
+
+TILT_TIME = 0.04
+"""Time constant with which a sole takes the slope of the ground [s]."""
+
+TILT_HEIGHT = 0.08
+"""Height over the ground from which a swinging foot is not tilted [m]."""
+
+AHEAD = 0.1
+"""How far ahead a swinging foot looks for what it has to clear [s]."""
+
+GLANCES = 5
+"""At how many places on that way."""
+
+STEEPEST = 0.75
+"""Rise per meter beyond which ground under a swinging foot is an edge, and not followed."""
+
+
+@inner_kernel
+def ride(ground: Ground, me: Character, dt: float) -> None:
+    """Go with the surfaces that carry the feet, before the root makes its own way."""
+    x, y, z, turn, feet = 0.0, 0.0, 0.0, 0.0, 0
+    for side in range(2):
+        if carries(me.support, side) and not me.placed:
+            dx, dy, dz, yaw = carry(
+                ground, me.surface[side], me.root[0], me.root[1], me.clock - dt, me.clock
+            )
+            x, y, z, turn, feet = x + dx, y + dy, z + dz, turn + yaw, feet + 1
+    if feet > 0:
+        me.root[0] += x / feet
+        me.root[1] += z / feet
+        me.root[2] += turn / feet
+        _raise_level(me, y / feet)
+
+
+@inner_kernel
+def _raise_level(me: Character, rise: float) -> None:
+    """Move the root's level; the feet stay where they are in the world."""
+    me.level[0] += rise
+    for side in range(2):
+        me.foot_offset[side, 1] -= rise
+
+
+@inner_kernel
+def keep_footprints(ground: Ground, rig: Rig, me: Character, dt: float) -> None:
+    """Hold the carrying feet where they are, let go of the others (stage 7)."""
+    for side in range(2):
+        slide_x, slide_z = _move_points(rig, me, side, dt)
+        planted = carries(me.support, side)
+        me.planted_time[side] = me.planted_time[side] + dt if planted else 0.0
+        dx, dy, dz = _taken(ground, me, side, dt)
+        _feel(ground, rig, me, side, planted, dt)
+        if not me.printed or me.placed:
+            continue
+        offset, velocity = me.foot_offset[side], me.foot_velocity[side]
+        needed = _needed_height(rig, me, side)
+        if planted:
+            offset[1] += dy
+            slide = (slide_x - dx, slide_z - dz)
+            hold_foot(offset, velocity, slide, needed, _grip(me, side), dt)
+        else:
+            offset[1] += _rise_below(me, side, dt)
+            goal = _highest_ahead(ground, me, side) - me.level[0]
+            release_foot(offset, velocity, goal, needed, dt)
+    _follow_ground(me, dt)
+
+
+@inner_kernel
+def _move_points(rig: Rig, me: Character, side: int, dt: float) -> tuple[float, float]:
+    """Find heel and toe in the world; return how far that moved the carrying point [m]."""
+    share = me.toe_shares[side]
+    old_x = mix_point(me.world_points, side, share, 0)
+    old_z = mix_point(me.world_points, side, share, 2)
+    toe_x, toe_z = me.world_points[side, 1, 0], me.world_points[side, 1, 2]
+    _tilt_points(rig, me, side)
+    if dt > 0.0 and not me.placed:
+        me.toe_velocity[side, 0] = (me.world_points[side, 1, 0] - toe_x) / dt
+        me.toe_velocity[side, 1] = (me.world_points[side, 1, 2] - toe_z) / dt
+    return (
+        mix_point(me.world_points, side, share, 0) - old_x,
+        mix_point(me.world_points, side, share, 2) - old_z,
+    )
+
+
+@inner_kernel
+def _tilt_points(rig: Rig, me: Character, side: int) -> None:
+    """Write heel and toe in the world, the sole tilted about its middle as the ground is."""
+    root, leg, points = me.root, rig.leg_length, me.points[side]
+    me.tilt[side, 0], me.tilt[side, 1] = me.foot_slope[side, 0], me.foot_slope[side, 1]
+    w, qx, qy, qz = quaternions.between(0.0, 1.0, 0.0, -me.tilt[side, 0], 1.0, -me.tilt[side, 1])
+    for point in range(2):
+        # Half of the sole, from its middle to this point.
+        other = points[1 - point]
+        x, z = transforms.apply(
+            0.0,
+            0.0,
+            root[2],
+            0.5 * leg * (points[point, 0] - other[0]),
+            0.5 * leg * (points[point, 2] - other[2]),
+        )
+        y = 0.5 * leg * (points[point, 1] - other[1])
+        mx, mz = transforms.apply(
+            root[0],
+            root[1],
+            root[2],
+            0.5 * leg * (points[point, 0] + other[0]),
+            0.5 * leg * (points[point, 2] + other[2]),
+        )
+        tx, ty, tz = quaternions.rotate(w, qx, qy, qz, x, y, z)
+        me.world_points[side, point, 0] = mx + tx
+        me.world_points[side, point, 1] = 0.5 * leg * (points[point, 1] + other[1]) + ty
+        me.world_points[side, point, 2] = mz + tz
+        me.tilt_rise[side, point] = ty - y
+
+
+@inner_kernel
+def _taken(ground: Ground, me: Character, side: int, dt: float) -> tuple[float, float, float]:
+    """Return how far the surface under a carrying foot has taken it in this step [m]."""
+    if me.placed:
+        return 0.0, 0.0, 0.0
+    share, offset = me.toe_shares[side], me.foot_offset[side]
+    x = mix_point(me.world_points, side, share, 0) + offset[0]
+    z = mix_point(me.world_points, side, share, 2) + offset[2]
+    dx, dy, dz, _ = carry(ground, me.surface[side], x, z, me.clock - dt, me.clock)
+    me.carried[side, 0] += dx
+    me.carried[side, 1] += dy
+    me.carried[side, 2] += dz
+    return dx, dy, dz
+
+
+@inner_kernel
+def _feel(ground: Ground, rig: Rig, me: Character, side: int, planted: bool, dt: float) -> None:
+    """Find the ground under heel and toe, and tilt the sole towards its slope."""
+    offset = me.foot_offset[side]
+    slope_x, slope_z, surface = 0.0, 0.0, -1
+    for point in range(2):
+        place = me.world_points[side, point]
+        found = probe(ground, place[0] + offset[0], place[2] + offset[2], me.clock)
+        me.foot_ground[side, point] = found.height
+        if (point == 1) == (me.on_toes[side] != 0):
+            slope_x, slope_z, surface = found.slope_x, found.slope_z, found.surface
+    # A foot that comes to carry stays on its surface until it lets go.
+    if not planted:
+        me.surface[side] = -1
+    elif me.surface[side] < 0:
+        me.surface[side] = surface
+    me.ground_slope[side, 0], me.ground_slope[side, 1] = slope_x, slope_z
+    share = 1.0
+    if planted or me.placed:
+        me.ground_below[side] = 0.5 * (me.foot_ground[side, 0] + me.foot_ground[side, 1])
+    else:
+        low = rig.leg_length * min(me.heights[side, 0], me.heights[side, 1])
+        share = min(max(1.0 - low / TILT_HEIGHT, 0.0), 1.0)
+    goal_x, goal_z = share * slope_x, share * slope_z
+    if me.placed:
+        me.foot_slope[side, 0], me.foot_slope[side, 1] = goal_x, goal_z
+    me.foot_slope[side, 0] = approach(me.foot_slope[side, 0], goal_x, TILT_TIME, dt)
+    me.foot_slope[side, 1] = approach(me.foot_slope[side, 1], goal_z, TILT_TIME, dt)
+
+
+@inner_kernel
+def _needed_height(rig: Rig, me: Character, side: int) -> float:
+    """Return how far a foot must be raised for its lowest point to touch the ground [m]."""
+    needed = 0.0
+    for point in range(2):
+        own = me.level[0] + rig.leg_length * me.heights[side, point] + me.tilt_rise[side, point]
+        rise = me.foot_ground[side, point] - own
+        needed = rise if point == 0 else max(needed, rise)
+    return needed
+
+
+@inner_kernel
+def _rise_below(me: Character, side: int, dt: float) -> float:
+    """Return how far the ground has risen under a swinging foot in this step [m], edges apart."""
+    below = 0.5 * (me.foot_ground[side, 0] + me.foot_ground[side, 1])
+    rise = below - me.ground_below[side]
+    me.ground_below[side] = below
+    vx, vz = me.toe_velocity[side]
+    return rise if rise * rise <= STEEPEST * STEEPEST * (vx * vx + vz * vz) * dt * dt else 0.0
+
+
+@inner_kernel
+def _highest_ahead(ground: Ground, me: Character, side: int) -> float:
+    """Return how high the ground is under a swinging foot, edges ahead of it included [m].
+
+    An even slope is no obstacle: what counts is by how much it rises beyond that.
+    """
+    offset, slope = me.foot_offset[side], me.ground_slope[side]
+    below, toe = me.ground_below[side], me.world_points[side, 1]
+    highest = 0.0
+    for glance in range(1, GLANCES + 1):
+        ahead = AHEAD * glance / GLANCES
+        x, z = ahead * me.toe_velocity[side, 0], ahead * me.toe_velocity[side, 1]
+        found = probe(ground, toe[0] + offset[0] + x, toe[2] + offset[2] + z, me.clock).height
+        even = me.foot_ground[side, 1] + slope[0] * x + slope[1] * z
+        highest = max(highest, found - even)
+    return below + highest
+
+
+@inner_kernel
+def _grip(me: Character, side: int) -> float:
+    """Return how firmly a carrying foot is held: less where its span begins or ends."""
+    grip = min(1.0, me.planted_time[side] / GRIP_TIME)
+    if me.slot_duration > 0.0 and not carries(me.results[1], side):
+        left = (1.0 - me.slot_progress) * me.slot_duration
+        grip = min(grip, left / GRIP_TIME)
+    return max(grip, 0.0)
+
+
+@inner_kernel
+def _follow_ground(me: Character, dt: float) -> None:
+    """Let the root's level follow the ground under both feet."""
+    goal = 0.0
+    for side in range(2):
+        goal += 0.25 * (me.foot_ground[side, 0] + me.foot_ground[side, 1])
+    if me.placed:
+        me.level[0], me.level[1] = goal, 0.0
+        return
+    level, me.level[1] = spring(me.level[0], me.level[1], goal, LEVEL_SPEED, dt)
+    _raise_level(me, level - me.level[0])
