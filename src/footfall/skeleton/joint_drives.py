@@ -97,9 +97,7 @@ def _arc_shares(skeleton: Skeleton, marks: Landmarks) -> dict[int, float]:
     joints = [*marks.trunk, *marks.neck]
     if marks.head is not None and marks.head not in joints:
         joints.append(marks.head)
-    steps = [
-        _rise(skeleton, upper, lower) for upper, lower in pairwise(joints)
-    ]
+    steps = [_rise(skeleton, upper, lower) for upper, lower in pairwise(joints)]
     starts = np.concatenate([[0.0], np.cumsum(steps)])
     middles = 0.5 * (starts + np.append(starts[1:], starts[-1]))
     chest = len(marks.trunk) - 1
