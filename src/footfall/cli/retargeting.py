@@ -26,7 +26,7 @@ def retarget(
     *,
     body: str,
     output: Annotated[Path, Parameter(name=("-o", "--output"))],
-    map: Path | None = None,
+    map_file: Annotated[Path | None, Parameter(name="--map")] = None,
 ) -> None:
     """Play a motion on another body, and tell how every support was kept.
 
@@ -39,11 +39,11 @@ def retarget(
         A motion file of the body that is to perform it, or sample:NAME.
     output
         The .bvh, .glb or .npz file to write; its .supports go beside it.
-    map
+    map_file
         A TOML file that corrects what drives the body's joints.
     """
     check_output(output)
-    corrections = None if map is None else load_map(map)
+    corrections = None if map_file is None else load_map(map_file)
     clip, known = read_motion(motion)
     other, _ = read_motion(body)
     with about(motion):
