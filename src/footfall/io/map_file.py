@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import tomllib
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 from footfall.errors import FileFormatError
 from footfall.skeleton.correspondence import Correction
@@ -39,7 +39,7 @@ def load_map(path: Path) -> dict[str, Correction | None]:
     if unknown or not isinstance(joints, dict):
         what = f"it has {unknown[0]!r}" if unknown else "it has none"
         raise FileFormatError(f"a map file has one table, [joints]; {what}", path=path)
-    table: dict[str, Any] = joints
+    table = cast(dict[str, Any], joints)
     return {name: _correction(name, value, path) for name, value in table.items()}
 
 
@@ -48,7 +48,7 @@ def _correction(name: str, value: Any, path: Path) -> Correction | None:
         return None
     if isinstance(value, str):
         return value, value, 0.0
-    parts: list[Any] = value if isinstance(value, list) else []
+    parts = cast(list[Any], value) if isinstance(value, list) else []
     if len(parts) == 3 and isinstance(parts[0], str) and isinstance(parts[1], str):
         fraction = parts[2]
         if isinstance(fraction, int | float) and not isinstance(fraction, bool):

@@ -65,8 +65,8 @@ def contract_of(trace: Trace, skeleton: Skeleton) -> tuple[SpanContract, ...]:
                 span.start / RATE,
                 span.stop / RATE,
                 MILLIMETERS * drift,
-                MILLIMETERS * max(-below, 0.0),
-                MILLIMETERS * max(above, 0.0),
+                MILLIMETERS * max(0.0, -below),
+                MILLIMETERS * max(0.0, above),
                 float(np.linalg.norm(apart, axis=-1).max()) / length,
             )
         )
