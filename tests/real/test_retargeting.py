@@ -95,7 +95,8 @@ def test_motions_on_bodies_in_a_table() -> None:
             result = retarget(clip, performer, found)
             own = find_anatomy(performer)
             told = measure(clip_trace(result, own, supports))
-            assert told.pops is not None and source.pops is not None
+            assert told.pops is not None
+            assert source.pops is not None
             pops = told.pops.acceleration_p999 / source.pops.acceleration_p999 / found.leg_ratio
             arms = 1e3 * (arm_overlaps(performer, own, result.world_poses()[1]).max() - deep)
             figures = [one.overall.p95 for one in (told.drift, told.penetration, told.floating)]

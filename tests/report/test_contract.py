@@ -11,7 +11,6 @@ from footfall.report.contract import SpanContract, contract_of, contract_table
 from footfall.skeleton import find_anatomy
 from footfall.support import SupportSequence
 
-
 STANCE = 36
 """Frames at 60 Hz during which the left foot of `walk` is planted."""
 

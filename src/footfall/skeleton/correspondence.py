@@ -9,7 +9,7 @@ import numpy as np
 from footfall.arrays import Positions, Rotations
 from footfall.errors import SkeletonError
 from footfall.geometry import rotate
-from footfall.skeleton.anatomy import Anatomy, Leg, arm_length, leg_length
+from footfall.skeleton.anatomy import Anatomy, arm_length, leg_length
 from footfall.skeleton.anatomy_search import find_anatomy
 from footfall.skeleton.body_map import BodyMap, Drive, solve_turns
 from footfall.skeleton.canonical_pose import LimbAttitudes, canonical_rotations
@@ -58,11 +58,6 @@ def map_body(
     sources = np.array([[drive.one, drive.other] for drive in drives], dtype=np.int64)
     own = canonical[0][reference.order_of(body)] if alike else canonical[1]
     ratio = _leg_ratio(reference, body, *anatomies)
-    lifts = [
-        _ankle_height(body, leg_body, canonical[1])
-        - ratio * _ankle_height(reference, leg, canonical[0])
-        for leg, leg_body in zip(anatomies[0].legs, anatomies[1].legs, strict=True)
-    ]
     return BodyMap(
         reference=reference,
         body=body,
@@ -73,7 +68,8 @@ def map_body(
         body_hips=_hip_middle(body, anatomies[1]),
         leg_ratio=ratio,
         arm_ratios=_arm_ratios(reference, body, *anatomies, ratio),
-        ankle_lift=float(np.mean(lifts)),
+        ankle_lift=_ankle_height(body, anatomies[1], canonical[1])
+        - ratio * _ankle_height(reference, anatomies[0], canonical[0]),
         reasons=tuple(
             _sentence(reference, name, drive)
             for name, drive in zip(body.names, drives, strict=True)
@@ -150,14 +146,17 @@ def _arm_ratios(
     return ratios[0], ratios[1]
 
 
-def _ankle_height(skeleton: Skeleton, leg: Leg, canonical: Rotations) -> float:
-    """Return how high the ankle is over the toe joint of a flat foot [m]."""
-    toe = np.array(leg.toe.offset)
-    joint = leg.toe.joint
-    while joint != leg.ankle:
-        toe = toe + skeleton.rest_offsets[joint]
-        joint = int(skeleton.parents[joint])
-    return -float(rotate(canonical[leg.ankle], toe)[1])
+def _ankle_height(skeleton: Skeleton, anatomy: Anatomy, canonical: Rotations) -> float:
+    """Return how high the ankles are over the toe joints of flat feet, on average [m]."""
+    heights: list[float] = []
+    for leg in anatomy.legs:
+        toe = np.array(leg.toe.offset)
+        joint = leg.toe.joint
+        while joint != leg.ankle:
+            toe = toe + skeleton.rest_offsets[joint]
+            joint = int(skeleton.parents[joint])
+        heights.append(-float(rotate(canonical[leg.ankle], toe)[1]))
+    return float(np.mean(heights))
 
 
 def _sentence(reference: Skeleton, name: str, drive: Drive) -> str:
