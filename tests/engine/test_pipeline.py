@@ -151,6 +151,6 @@ def test_commands_that_cannot_be_meant_are_refused() -> None:
     small = ff.Skeleton(("Hips",), np.array([-1]), np.zeros((1, 3)))
     clip = ff.Clip(small, np.zeros((2, 3)), np.tile([1.0, 0, 0, 0], (2, 1, 1)), 1.0)
     with pytest.raises(
-        SkeletonError, match="'stub' moves another skeleton and cannot be retargeted: no map"
+        SkeletonError, match="'stub' moves another skeleton and cannot be retargeted: no legs found"
     ):
         hero.add("stub", clip, ff.SupportSequence.parse("D"))

@@ -99,7 +99,9 @@ def test_motions_on_bodies_in_a_table() -> None:
             assert source.pops is not None
             pops = told.pops.acceleration_p999 / source.pops.acceleration_p999 / found.leg_ratio
             arms = 1e3 * (arm_overlaps(performer, own, result.world_poses()[1]).max() - deep)
-            figures = [one.overall.p95 for one in (told.drift, told.penetration, told.floating)]
+            figures = [
+                one.overall.p95 or 0.0 for one in (told.drift, told.penetration, told.floating)
+            ]
             print(
                 f"{'':24}{name:11}{figures[0]:7.1f}{figures[1]:7.1f}{figures[2]:7.1f}{pops:6.2f}{arms:6.0f}"
             )
