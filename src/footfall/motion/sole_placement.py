@@ -72,7 +72,8 @@ def ankles_on_soles(leading: Soles, ratio: float, offsets: Positions, feet: Rota
     fore = leading.points[:, :, 1] - leading.points[:, :, 0]
     own = np.linalg.norm(leading.offsets[:, 1] - leading.offsets[:, 0], axis=-1)
     heading = np.where((size > 1e-6)[:, np.newaxis], along, fore) * np.array([1.0, 0.0, 1.0])
-    length: Floats = np.where(size > 1e-6, size, np.maximum(own, 1e-6))
+    length = np.array(size)
+    length[size <= 1e-6] = np.maximum(own[size <= 1e-6], 1e-6)
     level = np.linalg.norm(heading, axis=-1, keepdims=True)
     heading = heading / np.maximum(level, STEEP * length[:, np.newaxis])
     longer = (0.5 * (size - ratio * own))[:, np.newaxis] * heading
