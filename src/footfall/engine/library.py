@@ -15,6 +15,7 @@ from footfall.engine.priorities import parse_priority
 from footfall.engine.shelf import Shelf, entry_type
 from footfall.errors import ArgumentError, ClipError, SkeletonError, UnknownNameError
 from footfall.motion import Clip, with_soles
+from footfall.motion.retargeting import map_clip, retarget
 from footfall.skeleton import Anatomy, Skeleton, find_anatomy
 from footfall.skeleton.rig import Rig, rig_of
 from footfall.support import SupportSequence
@@ -136,7 +137,8 @@ class MotionLibrary:
 
         Raises:
             ArgumentError: If the name is taken, or a number is out of range.
-            SkeletonError: If the clip's skeleton has other joints than the library's.
+            SkeletonError: If the clip's skeleton has other joints than the library's, and its
+                motion cannot be retargeted.
             ClipError: If the supports do not fit the clip.
             SupportSequenceError: If the supports can never be synchronized with others.
         """
@@ -145,8 +147,7 @@ class MotionLibrary:
         for label, seconds in (("fade_in", fade_in), ("fade_out", fade_out)):
             if not (math.isfinite(seconds) and seconds >= 0.0):
                 raise ArgumentError(f"{label} of {name!r} is {seconds} s; it must be >= 0")
-        self._check_family(name, clip)
-        clip = clip.ordered_like(self.skeleton)
+        clip = self._in_family(name, clip)
         _check_supports(name, clip, supports)
         values = parse_priority(priority)
         if not self._actions:
@@ -157,17 +158,20 @@ class MotionLibrary:
         self._actions.append(Action(name, clip, supports, values, fade_in, fade_out, packed))
         return len(self._actions) - 1
 
-    def _check_family(self, name: str, clip: Clip) -> None:
+    def _in_family(self, name: str, clip: Clip) -> Clip:
+        """Return a clip on a skeleton of this library's family, its joints in their order."""
         if self._skeleton is None:
             self._skeleton = clip.skeleton
         if self._skeleton.same_family(clip.skeleton):
-            return
-        other, own = set(clip.skeleton.names), set(self._skeleton.names)
-        raise SkeletonError(
-            f"{name!r} moves another skeleton: {clip.skeleton.count} joints, of which "
-            f"{len(other - own)} are unknown here, such as {sorted(other - own)[:3]}; motions mix "
-            "that have the same joint names and parents"
-        )
+            return clip.ordered_like(self._skeleton)
+        shown = self._actions[0].clip if self._actions else self._neutral
+        try:
+            body_map = map_clip(clip, self._skeleton, shown)
+            return retarget(clip, self._skeleton, body_map)
+        except SkeletonError as error:
+            raise SkeletonError(
+                f"{name!r} moves another skeleton and cannot be retargeted: {error}"
+            ) from error
 
     def _stand_like(self, packed: PackedClip) -> None:
         joints = self.skeleton.count

@@ -19,6 +19,7 @@ __all__ = [
     "continuous",
     "from_axis_angle",
     "from_euler",
+    "from_matrix",
     "from_yaw",
     "multiply",
     "rotate",
@@ -84,6 +85,24 @@ def from_euler(order: str, angles: Floats) -> Rotations:
         unit["XYZ".index(axis)] = 1.0
         result = multiply(result, from_axis_angle(unit, angles[..., position]))
     return result
+
+
+def from_matrix(matrix: Floats) -> Rotations:
+    """Return the rotation of a matrix, shape (3, 3): the unit quaternion that agrees with it best.
+
+    The matrix need not be quite orthogonal; of a rotation it is the exact quaternion.
+    """
+    (a, b, c), (d, e, f), (g, h, i) = matrix
+    agreement = np.array(
+        [
+            [a + e + i, h - f, c - g, d - b],
+            [h - f, a - e - i, b + d, c + g],
+            [c - g, b + d, e - a - i, f + h],
+            [d - b, c + g, f + h, i - a - e],
+        ]
+    )
+    _, vectors = np.linalg.eigh(agreement)
+    return vectors[:, -1]
 
 
 def to_euler(order: str, rotations: Rotations) -> Floats:
