@@ -12,6 +12,7 @@ from footfall.errors import ArgumentError, FileFormatError
 from footfall.io.annotation import read_annotation, write_annotation
 from footfall.io.bvh import read_bvh, save_bvh
 from footfall.io.conclusions import Conclusions
+from footfall.io.fbx import read_fbx
 from footfall.io.gltf import save_gltf
 from footfall.io.native import load_native, load_native_supports, save_native
 from footfall.io.stored_conclusions import conclude_stored
@@ -47,9 +48,17 @@ def _read_native(
     return clip, conclude_stored(clip)
 
 
+def _read_fbx(
+    path: Path, unit: str | float | None, up: str | None, fps: float | None
+) -> tuple[Clip, Conclusions]:
+    return read_fbx(path, unit=unit, up=up, fps=fps)
+
+
 READERS: dict[str, Reader] = {
     ".bvh": _read_bvh,
     ".bvh.gz": _read_bvh,
+    ".fbx": _read_fbx,
+    ".fbx.gz": _read_fbx,
     ".npz": _read_native,
 }
 """What reads a file, by its suffix in lower case."""
