@@ -37,7 +37,7 @@ MAY_IMPORT: dict[str, frozenset[str]] = {
     "scenario": _ALL_BUT_FACES,
     "report": _ALL_BUT_FACES,
     "view": _ALL_BUT_FACES | {"report"},
-    "datasets": _ALL_BUT_FACES | {"report"},
+    "datasets": _ALL_BUT_FACES | {"report", "view"},
     "cli": _ALL_BUT_FACES | {"report", "view", "datasets", "footfall"},
     "__main__": frozenset({"cli"}),
     "footfall": _ALL_BUT_FACES | {"report"},

@@ -107,8 +107,16 @@ def read_parquet(path: Path) -> dict[str, list[Any]]:
     return columns
 
 
-def write_parquet(columns: Mapping[str, Sequence[Any]], path: Path) -> None:
+def write_parquet(
+    columns: Mapping[str, Sequence[Any]], path: Path, *, kinds: Mapping[str, str] | None = None
+) -> None:
     """Write a table as Parquet; the same columns give the same bytes.
+
+    Args:
+        columns: The cells by the names of the columns.
+        path: The file.
+        kinds: What each column holds, by Arrow's names: string, int64, double or bool; found out
+            from the cells where not given.
 
     Raises:
         FileFormatError: If the file cannot be written.
@@ -117,5 +125,9 @@ def write_parquet(columns: Mapping[str, Sequence[Any]], path: Path) -> None:
     parquet = extra_module("pyarrow.parquet", f"writing {path.name}", extra="tables")
     arrow = extra_module("pyarrow", f"writing {path.name}", extra="tables")
     buffer = io.BytesIO()
-    parquet.write_table(arrow.table({name: list(cells) for name, cells in columns.items()}), buffer)
+    arrays = {
+        name: arrow.array(list(cells), None if kinds is None else arrow.type_for_alias(kinds[name]))
+        for name, cells in columns.items()
+    }
+    parquet.write_table(arrow.table(arrays), buffer)
     write_atomically(path, buffer.getvalue())
