@@ -63,8 +63,9 @@ def _limit_memory(allowed: int) -> None:
     pages = Path("/proc/self/statm")
     if pages.exists():
         resource: Any = importlib.import_module("resource")
-        limit = int(pages.read_text().split()[0]) * resource.getpagesize() + allowed
-        resource.setrlimit(resource.RLIMIT_AS, (limit, resource.getrlimit(resource.RLIMIT_AS)[1]))
+        limit = int(pages.read_text().split()[5]) * resource.getpagesize() + allowed
+        hard = resource.getrlimit(resource.RLIMIT_DATA)[1]
+        resource.setrlimit(resource.RLIMIT_DATA, (limit, hard))
 
 
 def _header(**facts: object) -> npt.NDArray[np.uint8]:

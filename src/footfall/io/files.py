@@ -18,6 +18,8 @@ from footfall.io.label_table import phase_columns, supports_of
 from footfall.io.native import load_native, load_native_supports, save_native
 from footfall.io.stored_conclusions import conclude_stored
 from footfall.io.table_files import read_csv, read_parquet, write_csv, write_parquet
+from footfall.io.usd import read_usd
+from footfall.io.usd_writer import save_usd
 from footfall.motion import Clip
 from footfall.support import SupportSequence
 
@@ -56,12 +58,22 @@ def _read_fbx(
     return read_fbx(path, unit=unit, up=up, fps=fps)
 
 
+def _read_usd(
+    path: Path, unit: str | float | None, up: str | None, fps: float | None
+) -> tuple[Clip, Conclusions]:
+    return read_usd(path, unit=unit, up=up, fps=fps)
+
+
 READERS: dict[str, Reader] = {
     ".bvh": _read_bvh,
     ".bvh.gz": _read_bvh,
     ".fbx": _read_fbx,
     ".fbx.gz": _read_fbx,
     ".npz": _read_native,
+    ".usd": _read_usd,
+    ".usda": _read_usd,
+    ".usdc": _read_usd,
+    ".usdz": _read_usd,
 }
 """What reads a file, by its suffix in lower case."""
 
@@ -70,6 +82,9 @@ WRITERS: dict[str, Writer] = {
     ".bvh.gz": save_bvh,
     ".glb": save_gltf,
     ".npz": save_native,
+    ".usd": save_usd,
+    ".usda": save_usd,
+    ".usdc": save_usd,
 }
 """What writes a file, by its suffix in lower case."""
 
