@@ -37,8 +37,9 @@ MAY_IMPORT: dict[str, frozenset[str]] = {
     "scenario": _ALL_BUT_FACES,
     "report": _ALL_BUT_FACES,
     "view": _ALL_BUT_FACES | {"report"},
+    "robots": _BODIES | {"io"},
     "datasets": _ALL_BUT_FACES | {"report", "view"},
-    "cli": _ALL_BUT_FACES | {"report", "view", "datasets", "footfall"},
+    "cli": _ALL_BUT_FACES | {"report", "view", "datasets", "robots", "footfall"},
     "__main__": frozenset({"cli"}),
     "footfall": _ALL_BUT_FACES | {"report"},
 } | dict.fromkeys(OPEN, _NOBODY)

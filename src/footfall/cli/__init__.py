@@ -14,11 +14,25 @@ from footfall.cli.annotating import annotate
 from footfall.cli.demonstration import demo
 from footfall.cli.inspection import detect, info
 from footfall.cli.making import clean, edit
+from footfall.cli.robotics import robot, robot_model
 from footfall.cli.scheduling import sync
 from footfall.cli.staging import blend, report
 from footfall.errors import FootfallError
 
-__all__ = ["annotate", "blend", "clean", "demo", "detect", "edit", "info", "main", "report", "sync"]
+__all__ = [
+    "annotate",
+    "blend",
+    "clean",
+    "demo",
+    "detect",
+    "edit",
+    "info",
+    "main",
+    "report",
+    "robot",
+    "robot_model",
+    "sync",
+]
 
 WRONG = 2
 """Exit code where something was wrong with the input."""
@@ -38,7 +52,19 @@ def main(arguments: Sequence[str] | None = None) -> int:
         help="Starts, stops and mixes motion clips so that the feet never slide.",
         version_flags=[],
     )
-    for command in (info, detect, edit, clean, sync, blend, report, annotate, demo):
+    for command in (
+        info,
+        detect,
+        edit,
+        clean,
+        sync,
+        blend,
+        report,
+        annotate,
+        robot,
+        robot_model,
+        demo,
+    ):
         app.command(command)
     words = list(sys.argv[1:] if arguments is None else arguments)
     try:
