@@ -12,6 +12,7 @@ from cyclopts import App, CycloptsError
 
 from footfall.cli.annotating import annotate
 from footfall.cli.demonstration import demo
+from footfall.cli.fetching import fetch_samples, list_samples
 from footfall.cli.inspection import detect, info
 from footfall.cli.making import clean, edit
 from footfall.cli.robotics import robot, robot_model
@@ -26,7 +27,9 @@ __all__ = [
     "demo",
     "detect",
     "edit",
+    "fetch_samples",
     "info",
+    "list_samples",
     "main",
     "report",
     "robot",
@@ -66,6 +69,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
         demo,
     ):
         app.command(command)
+    samples = App(name="samples", help="Motions that others have published.", version_flags=[])
+    samples.command(list_samples, name="list")
+    samples.command(fetch_samples, name="fetch")
+    app.command(samples)
     words = list(sys.argv[1:] if arguments is None else arguments)
     try:
         app(words, exit_on_error=False, print_error=False, result_action="return_value")
