@@ -127,3 +127,10 @@ def test_what_is_no_robot_s_motion_is_refused(tmp_path: Path, data: bytes) -> No
     path.write_bytes(data)
     with pytest.raises(FileFormatError, match="is damaged or no motion of a robot: "):
         load_robot_motion(path)
+
+
+def test_a_file_that_unfolds_without_end_is_refused(tmp_path: Path) -> None:
+    path = tmp_path / "bomb.npz"
+    np.savez_compressed(path, header=np.zeros(60_000_000, dtype=np.uint8))
+    with pytest.raises(FileFormatError, match=r"it unfolds from \d+ to 60000128 bytes"):
+        load_robot_motion(path)

@@ -114,18 +114,19 @@ def _robot(text: str, path: Path) -> Robot:
         )
     try:
         skeleton = _skeleton(mujoco, model)
-        anatomy = find_anatomy(skeleton)
+        return Robot(
+            name=str(model.names.split(b"\0", 1)[0].decode(errors="replace")),
+            digest=hashlib.sha256(text.encode()).hexdigest(),
+            mujoco=mujoco,
+            model=model,
+            skeleton=skeleton,
+            anatomy=find_anatomy(skeleton),
+            hinges=tuple(str(model.joint(index).name) for index in range(1, model.njnt)),
+        )
     except SkeletonError as error:
         raise FileFormatError(f"is no humanoid: {error}", path=path) from error
-    return Robot(
-        name=str(model.names.split(b"\0", 1)[0].decode(errors="replace")),
-        digest=hashlib.sha256(text.encode()).hexdigest(),
-        mujoco=mujoco,
-        model=model,
-        skeleton=skeleton,
-        anatomy=anatomy,
-        hinges=tuple(str(model.joint(index).name) for index in range(1, model.njnt)),
-    )
+    except UnicodeDecodeError as error:
+        raise FileFormatError(f"has names that are no UTF-8: {error}", path=path) from error
 
 
 def _skeleton(mujoco: Any, model: Any) -> Skeleton:

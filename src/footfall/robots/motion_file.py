@@ -13,6 +13,7 @@ from __future__ import annotations
 
 import io
 import json
+import tokenize
 import zipfile
 import zlib
 from dataclasses import dataclass
@@ -32,6 +33,9 @@ __all__ = ["RobotMotion", "load_robot_motion", "save_robot_motion"]
 
 FORMAT = "footfall robot motion"
 VERSION = 1
+
+MOST_UNFOLDED, TIMES_UNFOLDED = 48_000_000, 16
+"""What a file may unfold to: so much, and so much per byte [bytes]."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -96,6 +100,7 @@ def load_robot_motion(path: Path | str) -> RobotMotion:
     path = Path(path)
     data = read_bytes(path)
     try:
+        _check_size(data)
         with np.load(io.BytesIO(data), allow_pickle=False) as stored:
             header: Any = json.loads(stored["header"].tobytes())
             _check_header(header, path)
@@ -108,15 +113,26 @@ def load_robot_motion(path: Path | str) -> RobotMotion:
         OSError,
         EOFError,
         KeyError,
+        MemoryError,
+        SyntaxError,
         TypeError,
         ValueError,
         RuntimeError,
+        tokenize.TokenError,
         zipfile.BadZipFile,
         zlib.error,
     ) as error:
         told = " ".join(str(error).split())[:120]
         raise FileFormatError(f"is damaged or no motion of a robot: {told}", path=path) from error
     return _checked(header, arrays, path)
+
+
+def _check_size(data: bytes) -> None:
+    """Refuse what unfolds to far more than its size, before it does."""
+    with zipfile.ZipFile(io.BytesIO(data)) as archive:
+        unfolded = sum(entry.file_size for entry in archive.infolist())
+    if unfolded > MOST_UNFOLDED + TIMES_UNFOLDED * len(data):
+        raise ValueError(f"it unfolds from {len(data)} to {unfolded} bytes")
 
 
 def _numbers(array: Any, name: str) -> Floats:
