@@ -72,3 +72,15 @@ def test_without_the_library_the_way_to_get_it_is_told(monkeypatch: pytest.Monke
     assert str(caught.value) == (
         "reading footfall-humanoid.xml needs mujoco; pip install 'footfall[robot]'"
     )
+
+
+def test_no_log_is_left_in_the_folder_one_is_in(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / "here").mkdir()
+    monkeypatch.chdir(tmp_path / "here")
+    path = tmp_path / "robot.xml"
+    path.write_text(humanoid_mjcf().replace('range="-45', 'range="nan', 1))
+    with pytest.raises(FileFormatError):
+        load_robot(path)
+    assert list((tmp_path / "here").iterdir()) == []

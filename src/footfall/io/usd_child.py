@@ -38,6 +38,8 @@ def main() -> None:
         answer = _read(sys.argv[1], allowed)
     except _UnreadableError as error:
         answer = {"header": _header(error=str(error))}
+    except UnicodeDecodeError:
+        answer = {"header": _header(error="is damaged: it holds a name that is no UTF-8")}
     packed = io.BytesIO()
     np.savez(packed, **answer)
     sys.stdout.buffer.write(packed.getvalue())
@@ -69,7 +71,8 @@ def _read(path: str, allowed: int) -> dict[str, Any]:
         stage = pxr["Usd"].Stage.Open(path)
     except pxr["Tf"].ErrorException as error:
         told = " ".join(str(error).split())
-        told = told.rsplit("': ", 1)[-1]
+        # What comes before is where in the library that was.
+        told = told.rsplit(" : '", 1)[-1]
         raise _UnreadableError(f"is damaged or no USD file: {told[:160]}") from error
     skeletons = _skeletons(stage, pxr)
     if not skeletons:

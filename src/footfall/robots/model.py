@@ -96,6 +96,9 @@ def load_robot(path: Path | str) -> Robot:
 
 def _robot(text: str, path: Path) -> Robot:
     mujoco = extra_module("mujoco", f"reading {path.name}", extra="robot")
+    told_before = mujoco.get_mju_user_warning()
+    # Else a warning is written to a log in the folder that the user happens to be in.
+    mujoco.set_mju_user_warning(_ignored)
     try:
         if path.exists():
             # Meshes and included files are found from where the model is.
@@ -105,6 +108,8 @@ def _robot(text: str, path: Path) -> Robot:
     except (ValueError, mujoco.FatalError) as error:
         told = " ".join(str(error).split())[:200]
         raise FileFormatError(f"is no MJCF model: {told}", path=path) from error
+    finally:
+        mujoco.set_mju_user_warning(told_before)
     kinds = model.jnt_type.tolist()
     if not kinds or kinds[0] != FREE or any(kind != HINGE for kind in kinds[1:]):
         raise FileFormatError(
@@ -112,6 +117,8 @@ def _robot(text: str, path: Path) -> Robot:
             f"then hinges ({HINGE})",
             path=path,
         )
+    if not (np.isfinite(model.jnt_range).all() and np.isfinite(model.jnt_axis).all()):
+        raise FileFormatError("has a hinge whose axis or range is not finite", path=path)
     try:
         skeleton = _skeleton(mujoco, model)
         return Robot(
@@ -127,6 +134,10 @@ def _robot(text: str, path: Path) -> Robot:
         raise FileFormatError(f"is no humanoid: {error}", path=path) from error
     except UnicodeDecodeError as error:
         raise FileFormatError(f"has names that are no UTF-8: {error}", path=path) from error
+
+
+def _ignored(_: str) -> None:
+    """Let a warning of the library pass: what matters is refused in words of our own."""
 
 
 def _skeleton(mujoco: Any, model: Any) -> Skeleton:
