@@ -9,6 +9,7 @@ import pytest
 
 import footfall as ff
 from footfall.cli import main
+from footfall.io.files import WRITERS
 from footfall.samples import sample_names
 
 SHEET = """
@@ -34,7 +35,7 @@ def sheet(tmp_path: Path) -> Path:
 WRONG = {
     "edit sample:trot out.bvh": ("no sample named 'trot'; there are: " + ", ".join(sample_names())),
     "edit sample:walk out.xyz": (
-        "out.xyz: cannot be written: its suffix is none of .bvh, .bvh.gz, .glb, .npz"
+        f"out.xyz: cannot be written: its suffix is none of {', '.join(sorted(WRITERS))}"
     ),
     "edit sample:walk no/out.bvh": "no/out.bvh: there is no folder no; make it first",
     "edit sample:kick out.bvh --crop 1": (

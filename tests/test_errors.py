@@ -22,7 +22,11 @@ def test_a_stranger_can_catch_every_error_by_the_builtin_in_the_drawn_tree(
 ) -> None:
     drawn = re.search(rf"── {error.__name__} .*\(also (\w+)\)$", errors.__doc__ or "", re.M)
     assert drawn is not None
-    builtin = {"ValueError": ValueError, "LookupError": LookupError}[drawn[1]]
+    builtin = {
+        "ValueError": ValueError,
+        "LookupError": LookupError,
+        "ImportError": ImportError,
+    }[drawn[1]]
     assert issubclass(error, builtin)
 
 

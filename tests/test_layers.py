@@ -12,7 +12,7 @@ import footfall
 ROOT = Path(footfall.__file__).parent
 SOURCES = sorted(ROOT.rglob("*.py"))
 
-OPEN = frozenset({"errors", "arrays", "compilation"})
+OPEN = frozenset({"errors", "arrays", "compilation", "extras"})
 """Modules that everybody may import, and that import none but each other."""
 
 _BODIES = frozenset({"geometry", "skeleton", "motion", "support"})
@@ -37,7 +37,9 @@ MAY_IMPORT: dict[str, frozenset[str]] = {
     "scenario": _ALL_BUT_FACES,
     "report": _ALL_BUT_FACES,
     "view": _ALL_BUT_FACES | {"report"},
-    "cli": _ALL_BUT_FACES | {"report", "view", "footfall"},
+    "robots": _BODIES | {"io"},
+    "datasets": _ALL_BUT_FACES | {"report", "view"},
+    "cli": _ALL_BUT_FACES | {"report", "view", "datasets", "robots", "footfall"},
     "__main__": frozenset({"cli"}),
     "footfall": _ALL_BUT_FACES | {"report"},
 } | dict.fromkeys(OPEN, _NOBODY)

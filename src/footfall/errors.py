@@ -7,6 +7,7 @@ FootfallError
 ├── FileFormatError          a file that cannot be read; knows its path and line (also ValueError)
 ├── ScenarioError            a cue sheet that cannot be played (also ValueError)
 ├── ArgumentError            an argument out of its range (also ValueError)
+├── MissingExtraError        an optional library that is not installed (also ImportError)
 └── UnknownNameError         a name that is not there; lists those that are (also LookupError)
 
 Each message says what is wrong and where, with the numbers, then what would be right.
@@ -22,6 +23,7 @@ __all__ = [
     "ClipError",
     "FileFormatError",
     "FootfallError",
+    "MissingExtraError",
     "ScenarioError",
     "SkeletonError",
     "SupportSequenceError",
@@ -68,6 +70,18 @@ class FileFormatError(FootfallError, ValueError):
         self.line = line
         where = f"{path}" if line is None else f"{path}:{line}"
         super().__init__(f"{where}: {problem}")
+
+
+class MissingExtraError(FootfallError, ImportError):
+    """An optional library is not installed.
+
+    Attributes:
+        extra: The extra of this project that brings it.
+    """
+
+    def __init__(self, purpose: str, library: str, extra: str) -> None:
+        self.extra = extra
+        super().__init__(f"{purpose} needs {library}; pip install 'footfall[{extra}]'")
 
 
 class UnknownNameError(FootfallError, LookupError):

@@ -17,6 +17,7 @@ from footfall.io import (
     save_native,
     save_supports,
 )
+from footfall.io.files import READERS, WRITERS
 from footfall.support import SupportSequence
 
 WALK = SupportSequence.parse("R.4 D.1 L.4 D.1*")
@@ -72,13 +73,15 @@ def refusal(path: Path) -> str:
 
 
 def test_an_unknown_suffix_is_refused_with_those_known(tmp_path: Path) -> None:
-    assert refusal(tmp_path / "walk.fbx") == (
-        "walk.fbx: cannot be read as a motion: its suffix is none of .bvh, .bvh.gz, .npz"
+    readable = ", ".join(sorted(READERS))
+    assert refusal(tmp_path / "walk.xyz") == (
+        f"walk.xyz: cannot be read as a motion: its suffix is none of {readable}"
     )
     with pytest.raises(FileFormatError) as caught:
         save(biped_clip(), tmp_path / "walk")
     assert str(caught.value) == (
-        f"{tmp_path / 'walk'}: cannot be written: its suffix is none of .bvh, .bvh.gz, .glb, .npz"
+        f"{tmp_path / 'walk'}: cannot be written: its suffix is none of "
+        f"{', '.join(sorted(WRITERS))}"
     )
     assert not list(tmp_path.iterdir())
 
@@ -126,10 +129,11 @@ def test_supports_have_suffixes_of_their_own(tmp_path: Path) -> None:
         load_supports(tmp_path / "walk.txt")
     assert str(caught.value) == (
         f"{tmp_path / 'walk.txt'}: cannot be read as supports: its suffix is none of "
-        ".npz, .supports"
+        ".csv, .npz, .parquet, .supports"
     )
     with pytest.raises(FileFormatError) as caught:
         save_supports(WALK, tmp_path / "walk.npz")
     assert str(caught.value) == (
-        f"{tmp_path / 'walk.npz'}: cannot be written as supports: its suffix is none of .supports"
+        f"{tmp_path / 'walk.npz'}: cannot be written as supports: its suffix is none of "
+        ".csv, .parquet, .supports"
     )

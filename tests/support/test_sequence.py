@@ -3,6 +3,7 @@ from __future__ import annotations
 import math
 from itertools import pairwise, product
 
+import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -236,3 +237,13 @@ def test_joining_neighbors_keeps_the_whole_duration(phases: list[SupportPhase]) 
         math.fsum(p.duration for p in phases), rel=1e-12
     )
     assert all(a.support is not b.support for a, b in pairwise(merged))
+
+
+@settings(deadline=None)
+@given(sequences(), st.lists(st.floats(-200.0, 200.0), max_size=20))
+def test_many_times_at_once_are_answered_as_one_by_one(
+    sequence: SupportSequence, times: list[float]
+) -> None:
+    times = [*times, *sequence.boundaries]
+    found = sequence.supports_at(np.array(times)).tolist()
+    assert found == [int(sequence.support_at(time)) for time in times]

@@ -10,15 +10,34 @@ from collections.abc import Sequence
 
 from cyclopts import App, CycloptsError
 
+from footfall.cli.annotating import annotate
 from footfall.cli.demonstration import demo
+from footfall.cli.fetching import fetch_samples, list_samples
 from footfall.cli.inspection import detect, info
 from footfall.cli.making import clean, edit
 from footfall.cli.retargeting import retarget
+from footfall.cli.robotics import robot, robot_model
 from footfall.cli.scheduling import sync
 from footfall.cli.staging import blend, report
 from footfall.errors import FootfallError
 
-__all__ = ["blend", "clean", "demo", "detect", "edit", "info", "main", "report", "retarget", "sync"]
+__all__ = [
+    "annotate",
+    "blend",
+    "clean",
+    "demo",
+    "detect",
+    "edit",
+    "fetch_samples",
+    "info",
+    "list_samples",
+    "main",
+    "report",
+    "retarget",
+    "robot",
+    "robot_model",
+    "sync",
+]
 
 WRONG = 2
 """Exit code where something was wrong with the input."""
@@ -38,8 +57,25 @@ def main(arguments: Sequence[str] | None = None) -> int:
         help="Starts, stops and mixes motion clips so that the feet never slide.",
         version_flags=[],
     )
-    for command in (info, detect, edit, clean, retarget, sync, blend, report, demo):
+    for command in (
+        info,
+        detect,
+        edit,
+        clean,
+        retarget,
+        sync,
+        blend,
+        report,
+        annotate,
+        robot,
+        robot_model,
+        demo,
+    ):
         app.command(command)
+    samples = App(name="samples", help="Motions that others have published.", version_flags=[])
+    samples.command(list_samples, name="list")
+    samples.command(fetch_samples, name="fetch")
+    app.command(samples)
     words = list(sys.argv[1:] if arguments is None else arguments)
     try:
         app(words, exit_on_error=False, print_error=False, result_action="return_value")

@@ -9,13 +9,14 @@ from typing import Any
 
 from footfall.errors import FileFormatError
 from footfall.io import save, save_gltf, save_native, save_supports, write_atomically
+from footfall.io.files import WRITERS
 from footfall.motion import Clip
 from footfall.scenario.motions import supports_path
 from footfall.support import SupportSequence
 
 __all__ = ["check_folder", "check_output", "save_motion", "write_json"]
 
-SUFFIXES = (".bvh", ".bvh.gz", ".glb", ".npz")
+SUFFIXES = tuple(sorted(WRITERS))
 """Of the files that a motion can be written to."""
 
 

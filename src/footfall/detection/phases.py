@@ -193,4 +193,5 @@ def _from_zero(phases: _Phases, period: float, *, cyclic: bool) -> _Phases:
 
 def frame_symbols(sequence: SupportSequence, fps: float, frames: int) -> str:
     """Return the support at each of so many frames, one of ``R L D -`` a frame."""
-    return "".join(sequence.support_at(frame / fps).symbol for frame in range(frames))
+    supports = sequence.supports_at(np.arange(frames) / fps)
+    return "".join(Support(support).symbol for support in supports.tolist())

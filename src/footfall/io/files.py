@@ -12,9 +12,14 @@ from footfall.errors import ArgumentError, FileFormatError
 from footfall.io.annotation import read_annotation, write_annotation
 from footfall.io.bvh import read_bvh, save_bvh
 from footfall.io.conclusions import Conclusions
+from footfall.io.fbx import read_fbx
 from footfall.io.gltf import save_gltf
+from footfall.io.label_table import phase_columns, supports_of
 from footfall.io.native import load_native, load_native_supports, save_native
 from footfall.io.stored_conclusions import conclude_stored
+from footfall.io.table_files import read_csv, read_parquet, write_csv, write_parquet
+from footfall.io.usd import read_usd
+from footfall.io.usd_writer import save_usd
 from footfall.motion import Clip
 from footfall.support import SupportSequence
 
@@ -47,10 +52,28 @@ def _read_native(
     return clip, conclude_stored(clip)
 
 
+def _read_fbx(
+    path: Path, unit: str | float | None, up: str | None, fps: float | None
+) -> tuple[Clip, Conclusions]:
+    return read_fbx(path, unit=unit, up=up, fps=fps)
+
+
+def _read_usd(
+    path: Path, unit: str | float | None, up: str | None, fps: float | None
+) -> tuple[Clip, Conclusions]:
+    return read_usd(path, unit=unit, up=up, fps=fps)
+
+
 READERS: dict[str, Reader] = {
     ".bvh": _read_bvh,
     ".bvh.gz": _read_bvh,
+    ".fbx": _read_fbx,
+    ".fbx.gz": _read_fbx,
     ".npz": _read_native,
+    ".usd": _read_usd,
+    ".usda": _read_usd,
+    ".usdc": _read_usd,
+    ".usdz": _read_usd,
 }
 """What reads a file, by its suffix in lower case."""
 
@@ -59,6 +82,9 @@ WRITERS: dict[str, Writer] = {
     ".bvh.gz": save_bvh,
     ".glb": save_gltf,
     ".npz": save_native,
+    ".usd": save_usd,
+    ".usda": save_usd,
+    ".usdc": save_usd,
 }
 """What writes a file, by its suffix in lower case."""
 
@@ -116,15 +142,20 @@ def save(clip: Clip, path: Path | str) -> None:
 
 
 def load_supports(path: Path | str) -> SupportSequence:
-    """Read the supports of a motion: a ``.supports`` file, or those in a ``.npz``.
+    """Read the supports of a motion: a ``.supports`` file, a table, or those in a ``.npz``.
+
+    A table is a ``.csv`` or a ``.parquet`` file with one row a phase or one row a frame; see
+    `footfall.io.label_table`.
 
     Raises:
         FileFormatError: If there are none, or the file breaks the rules of its format.
+        MissingExtraError: If the library for a table is not installed.
     """
     path = Path(path)
-    suffix = _suffix(path, (".supports", ".npz"), "read as supports")
-    if suffix == ".supports":
-        return read_annotation(path)
+    return SUPPORT_READERS[_suffix(path, SUPPORT_READERS, "read as supports")](path)
+
+
+def _read_npz_supports(path: Path) -> SupportSequence:
     supports = load_native_supports(path)
     if supports is None:
         raise FileFormatError("holds a motion without supports; detect them", path=path)
@@ -132,14 +163,30 @@ def load_supports(path: Path | str) -> SupportSequence:
 
 
 def save_supports(sequence: SupportSequence, path: Path | str) -> None:
-    """Write supports as text, to be edited by hand.
+    """Write supports: ``.supports`` is text to be edited by hand, ``.csv`` and ``.parquet`` tables.
 
     Raises:
-        FileFormatError: If the suffix is not ``.supports``, or the file cannot be written.
+        FileFormatError: If the suffix is none of these, or the file cannot be written.
+        MissingExtraError: If the library for a table is not installed.
     """
     path = Path(path)
-    _suffix(path, (".supports",), "written as supports")
-    write_annotation(sequence, path)
+    SUPPORT_WRITERS[_suffix(path, SUPPORT_WRITERS, "written as supports")](sequence, path)
+
+
+SUPPORT_READERS: dict[str, Callable[[Path], SupportSequence]] = {
+    ".csv": lambda path: supports_of(read_csv(path), path),
+    ".npz": _read_npz_supports,
+    ".parquet": lambda path: supports_of(read_parquet(path), path),
+    ".supports": read_annotation,
+}
+"""What reads supports, by the file's suffix in lower case."""
+
+SUPPORT_WRITERS: dict[str, Callable[[SupportSequence, Path], None]] = {
+    ".csv": lambda sequence, path: write_csv(phase_columns(sequence), path),
+    ".parquet": lambda sequence, path: write_parquet(phase_columns(sequence), path),
+    ".supports": write_annotation,
+}
+"""What writes supports, by the file's suffix in lower case."""
 
 
 def _suffix(path: Path, known: Iterable[str], what: str) -> str:

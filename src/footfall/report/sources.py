@@ -104,7 +104,7 @@ def clip_trace(clip: Clip, anatomy: Anatomy, supports: SupportSequence, cycles: 
         rotations=rotations,
         anatomy=with_soles(anatomy, rotations, positions),
         fps=clip.fps,
-        supports=np.array([supports.support_at(time) for time in times.tolist()], dtype=np.int64),
+        supports=supports.supports_at(times),
     )
 
 

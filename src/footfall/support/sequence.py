@@ -12,6 +12,9 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from itertools import accumulate, pairwise
 
+import numpy as np
+
+from footfall.arrays import Seconds, Supports
 from footfall.errors import SupportSequenceError
 from footfall.support.algebra import Support
 
@@ -146,6 +149,15 @@ class SupportSequence:
     def support_at(self, clip_time: float) -> Support:
         """Return the support at a clip time [s], past the ends too."""
         return self.phases[self.index_at(clip_time)].support
+
+    def supports_at(self, clip_times: Seconds) -> Supports:
+        """Return the support at each of many clip times [s], shape (n,): see `support_at`."""
+        bounds = np.array(self.boundaries)
+        if self.cyclic:
+            clip_times = bounds[0] + (clip_times - bounds[0]) % self.duration
+        indices = np.searchsorted(bounds[1:], clip_times, side="right")
+        symbols = np.array([phase.support for phase in self.phases], dtype=np.int64)
+        return symbols[np.minimum(indices, len(self.phases) - 1)]
 
     def __str__(self) -> str:
         """Return the text form, with seconds to the millisecond (finer below half of one)."""

@@ -1,0 +1,183 @@
+"""USD files out: a skeleton, its animation, and a mannequin that shows it in any viewer."""
+
+from __future__ import annotations
+
+import re
+import tempfile
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from footfall.arrays import Floats, Positions
+from footfall.errors import SkeletonError
+from footfall.extras import extra_module
+from footfall.geometry import continuous
+from footfall.io.atomic import write_atomically
+from footfall.io.flat_toes import flat_toe_turns
+from footfall.io.mannequin import Mannequin, Tone, mannequin
+from footfall.motion import Clip
+from footfall.skeleton import Skeleton, find_anatomy
+
+__all__ = ["save_usd"]
+
+_COLORS = {
+    Tone.BODY: (0.66, 0.64, 0.60),
+    Tone.FACE: (0.10, 0.11, 0.13),
+    Tone.LEFT: (0.27, 0.47, 0.62),
+    Tone.RIGHT: (0.72, 0.42, 0.21),
+    Tone.LEFT_FOOT: (0.03, 0.17, 0.42),
+    Tone.RIGHT_FOOT: (0.64, 0.15, 0.02),
+}
+"""Linear colors: the right side warm, the left side cool, as in all pictures."""
+
+
+def save_usd(clip: Clip, path: Path) -> None:
+    """Write a .usda (text), .usdc or .usd (binary) file.
+
+    One time code is one frame. Joint names that USD does not allow are kept in ``jointNames``.
+
+    Args:
+        clip: The motion.
+        path: The file; replaced if it exists.
+
+    Raises:
+        FileFormatError: If the file cannot be written.
+        MissingExtraError: If usd-core is not installed.
+    """
+    pxr: Any = {
+        name: extra_module(f"pxr.{name}", f"writing {path.name}", extra="usd", library="usd-core")
+        for name in ("Gf", "Sdf", "Usd", "UsdGeom", "UsdShade", "UsdSkel", "Vt")
+    }
+    suffix = path.suffix.lower()
+    with tempfile.TemporaryDirectory() as folder:
+        # The library writes files only; the name that is asked for must not see half of one.
+        scratch = Path(folder) / f"clip{suffix}"
+        stage = pxr["Usd"].Stage.CreateNew(str(scratch))
+        _write_stage(stage, clip, pxr)
+        stage.GetRootLayer().Save()
+        data = scratch.read_bytes()
+    write_atomically(path, data)
+
+
+def _write_stage(stage: Any, clip: Clip, pxr: Any) -> None:
+    geometry, skel = pxr["UsdGeom"], pxr["UsdSkel"]
+    geometry.SetStageUpAxis(stage, geometry.Tokens.y)
+    geometry.SetStageMetersPerUnit(stage, 1.0)
+    stage.SetTimeCodesPerSecond(clip.fps)
+    stage.SetFramesPerSecond(clip.fps)
+    stage.SetStartTimeCode(0)
+    stage.SetEndTimeCode(clip.frames - 1)
+    stage.GetRootLayer().documentation = f"{clip.name}, written by footfall"
+    root = skel.Root.Define(stage, "/Body")
+    stage.SetDefaultPrim(root.GetPrim())
+    skeleton = _skeleton(stage, clip.skeleton, pxr)
+    animation = _animation(stage, clip, pxr)
+    binding = skel.BindingAPI.Apply(skeleton.GetPrim())
+    binding.CreateAnimationSourceRel().SetTargets([animation.GetPath()])
+    _mannequin(stage, clip, skeleton, pxr)
+
+
+def _paths(skeleton: Skeleton) -> list[str]:
+    """Return the joints' paths, of names that USD allows and that differ among brothers."""
+    paths: list[str] = []
+    for joint, name in enumerate(skeleton.names):
+        allowed = re.sub(r"\W", "_", name, flags=re.ASCII) or "_"
+        if allowed[0].isdigit():
+            allowed = f"_{allowed}"
+        parent = int(skeleton.parents[joint])
+        prefix = f"{paths[parent]}/" if parent >= 0 else ""
+        while f"{prefix}{allowed}" in paths:
+            allowed += "_"
+        paths.append(f"{prefix}{allowed}")
+    return paths
+
+
+def _rest_positions(skeleton: Skeleton) -> Positions:
+    positions = np.zeros((skeleton.count, 3))
+    for joint, parent in enumerate(skeleton.parents.tolist()):
+        if parent >= 0:
+            positions[joint] = positions[parent] + skeleton.rest_offsets[joint]
+    return positions
+
+
+def _moves(places: Positions, pxr: Any) -> Any:
+    return pxr["Vt"].Matrix4dArray(
+        [pxr["Gf"].Matrix4d().SetTranslate(pxr["Gf"].Vec3d(*place)) for place in places.tolist()]
+    )
+
+
+def _skeleton(stage: Any, skeleton: Skeleton, pxr: Any) -> Any:
+    """Define the skeleton; at rest no joint is turned."""
+    prim = pxr["UsdSkel"].Skeleton.Define(stage, "/Body/Skeleton")
+    prim.CreateJointsAttr(_paths(skeleton))
+    prim.CreateJointNamesAttr(list(skeleton.names))
+    prim.CreateBindTransformsAttr(_moves(_rest_positions(skeleton), pxr))
+    prim.CreateRestTransformsAttr(_moves(skeleton.rest_offsets, pxr))
+    return prim
+
+
+def _animation(stage: Any, clip: Clip, pxr: Any) -> Any:
+    vt, gf = pxr["Vt"], pxr["Gf"]
+    prim = pxr["UsdSkel"].Animation.Define(stage, "/Body/Skeleton/Animation")
+    prim.CreateJointsAttr(_paths(clip.skeleton))
+    prim.CreateScalesAttr(vt.Vec3hArray([gf.Vec3h(1, 1, 1)] * clip.skeleton.count))
+    places, turns = prim.CreateTranslationsAttr(), prim.CreateRotationsAttr()
+    offsets = clip.skeleton.rest_offsets.astype(np.float32)
+    rotations = continuous(clip.local_rotations).tolist()
+    for frame in range(clip.frames):
+        offsets[0] = clip.pelvis_positions[frame]
+        places.Set(vt.Vec3fArray.FromNumpy(offsets), frame)
+        turns.Set(vt.QuatfArray([gf.Quatf(*turn) for turn in rotations[frame]]), frame)
+    return prim
+
+
+def _surface(clip: Clip) -> Mannequin:
+    """Return the body's mannequin; plain bones for one without two legs."""
+    try:
+        anatomy = find_anatomy(clip.skeleton)
+    except SkeletonError:
+        return mannequin(clip.skeleton, None)
+    return mannequin(clip.skeleton, anatomy, flat_toe_turns(anatomy, *clip.world_poses()))
+
+
+def _mannequin(stage: Any, clip: Clip, skeleton: Any, pxr: Any) -> None:
+    """Define the mesh of the mannequin, each vertex bound to one joint."""
+    surface = _surface(clip)
+    places = surface.positions + _rest_positions(clip.skeleton)[surface.joints]
+    mesh = pxr["UsdGeom"].Mesh.Define(stage, "/Body/Mannequin")
+    mesh.CreateSubdivisionSchemeAttr("none")
+    mesh.CreatePointsAttr(_vectors(places, pxr))
+    mesh.CreateNormalsAttr(_vectors(surface.normals, pxr))
+    mesh.SetNormalsInterpolation(pxr["UsdGeom"].Tokens.vertex)
+    mesh.CreateFaceVertexCountsAttr([3] * len(surface.triangles))
+    mesh.CreateFaceVertexIndicesAttr(surface.triangles.reshape(-1).tolist())
+    mesh.CreateExtentAttr(_vectors(np.stack([places.min(axis=0), places.max(axis=0)]), pxr))
+    binding = pxr["UsdSkel"].BindingAPI.Apply(mesh.GetPrim())
+    binding.CreateSkeletonRel().SetTargets([skeleton.GetPath()])
+    binding.CreateJointIndicesPrimvar(False, 1).Set(surface.joints.tolist())
+    binding.CreateJointWeightsPrimvar(False, 1).Set([1.0] * len(places))
+    binding.CreateGeomBindTransformAttr(pxr["Gf"].Matrix4d(1.0))
+    for tone in np.unique(surface.tones).tolist():
+        faces = np.flatnonzero(surface.tones == tone).tolist()
+        _painted(stage, mesh, Tone(tone), faces, pxr)
+
+
+def _vectors(array: Floats, pxr: Any) -> Any:
+    return pxr["Vt"].Vec3fArray.FromNumpy(np.ascontiguousarray(array, dtype=np.float32))
+
+
+def _painted(stage: Any, mesh: Any, tone: Tone, faces: list[int], pxr: Any) -> None:
+    """Give some faces of the mesh their color."""
+    shade, sdf = pxr["UsdShade"], pxr["Sdf"]
+    name = tone.name.title().replace("_", "")
+    material = shade.Material.Define(stage, f"/Body/Materials/{name}")
+    shader = shade.Shader.Define(stage, f"/Body/Materials/{name}/Surface")
+    shader.CreateIdAttr("UsdPreviewSurface")
+    color = shader.CreateInput("diffuseColor", sdf.ValueTypeNames.Color3f)
+    color.Set(pxr["Gf"].Vec3f(*_COLORS[tone]))
+    shader.CreateInput("roughness", sdf.ValueTypeNames.Float).Set(0.75)
+    material.CreateSurfaceOutput().ConnectToSource(shader.ConnectableAPI(), "surface")
+    family = pxr["UsdShade"].MaterialBindingAPI.Apply(mesh.GetPrim())
+    subset = family.CreateMaterialBindSubset(name, faces)
+    shade.MaterialBindingAPI.Apply(subset.GetPrim()).Bind(material)
