@@ -73,12 +73,14 @@ def refusal(path: Path) -> str:
 
 def test_an_unknown_suffix_is_refused_with_those_known(tmp_path: Path) -> None:
     assert refusal(tmp_path / "walk.fbx") == (
-        "walk.fbx: cannot be read as a motion: its suffix is none of .bvh, .bvh.gz, .npz"
+        "walk.fbx: cannot be read as a motion: its suffix is none of .bvh, .bvh.gz, .glb, .gltf, "
+        ".npz, .txt, .txt.gz"
     )
     with pytest.raises(FileFormatError) as caught:
         save(biped_clip(), tmp_path / "walk")
     assert str(caught.value) == (
-        f"{tmp_path / 'walk'}: cannot be written: its suffix is none of .bvh, .bvh.gz, .glb, .npz"
+        f"{tmp_path / 'walk'}: cannot be written: its suffix is none of .amass.npz, .bvh, "
+        ".bvh.gz, .glb, .npz, .txt, .txt.gz"
     )
     assert not list(tmp_path.iterdir())
 

@@ -7,11 +7,14 @@ from footfall.geometry.rotations import (
     continuous,
     from_axis_angle,
     from_euler,
+    from_matrix,
+    from_rotation_vector,
     from_yaw,
     multiply,
     rotate,
     slerp,
     to_euler,
+    to_rotation_vector,
 )
 
 __all__ = [
@@ -21,10 +24,13 @@ __all__ = [
     "cubic_hermite",
     "from_axis_angle",
     "from_euler",
+    "from_matrix",
+    "from_rotation_vector",
     "from_yaw",
     "multiply",
     "rational_hermite",
     "rotate",
     "slerp",
     "to_euler",
+    "to_rotation_vector",
 ]

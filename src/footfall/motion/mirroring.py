@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from footfall.arrays import Floats, Indices, Rotations
-from footfall.geometry import conjugate, continuous, multiply
+from footfall.geometry import conjugate, continuous, from_matrix, multiply
 from footfall.motion.clip import Clip
 from footfall.motion.leg_placement import place_feet
 from footfall.motion.mirror_frames import frame_reflections, mirrored_joints
@@ -60,24 +60,9 @@ def _mirrored_rotations(clip: Clip, partners: Indices, reflections: Floats) -> R
     """
     rotations, _ = clip.world_poses()
     half_turn = np.array([0.0, 1.0, 0.0, 0.0])
-    frames = np.stack([_quaternion(-reflection) for reflection in reflections])
+    frames = from_matrix(-reflections)
     world = multiply(multiply(half_turn, rotations[:, partners]), frames)
     local = world.copy()
     parents = clip.skeleton.parents
     local[:, 1:] = multiply(conjugate(world[:, parents[1:]]), world[:, 1:])
     return continuous(local)
-
-
-def _quaternion(matrix: Floats) -> Rotations:
-    """Return the rotation of a matrix, shape (3, 3): the unit q that it agrees with best."""
-    (a, b, c), (d, e, f), (g, h, i) = matrix
-    agreement = np.array(
-        [
-            [a + e + i, h - f, c - g, d - b],
-            [h - f, a - e - i, b + d, c + g],
-            [c - g, b + d, e - a - i, f + h],
-            [d - b, c + g, f + h, i - a - e],
-        ]
-    )
-    _, vectors = np.linalg.eigh(agreement)
-    return vectors[:, -1]
