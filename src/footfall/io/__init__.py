@@ -18,7 +18,10 @@ from footfall.io.files import (
 )
 from footfall.io.gltf import save_gltf
 from footfall.io.gltf_clip import gltf_animations, load_gltf
+from footfall.io.gltf_skin import load_skinned
+from footfall.io.gltf_skin_writer import save_skinned
 from footfall.io.native import load_native, load_native_supports, save_native
+from footfall.io.skinned_body import SkinnedBody
 from footfall.io.units import UNITS, Unit
 
 __all__ = [
@@ -26,6 +29,7 @@ __all__ = [
     "Conclusion",
     "Conclusions",
     "LegNames",
+    "SkinnedBody",
     "Unit",
     "gltf_animations",
     "load",
@@ -35,6 +39,7 @@ __all__ = [
     "load_gltf",
     "load_native",
     "load_native_supports",
+    "load_skinned",
     "load_supports",
     "load_with_conclusions",
     "parse_supports",
@@ -45,6 +50,7 @@ __all__ = [
     "save_deepmimic",
     "save_gltf",
     "save_native",
+    "save_skinned",
     "save_supports",
     "split_choice",
     "supports_text",

@@ -7,11 +7,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from footfall.arrays import Floats, Indices, Positions, Rotations
-from footfall.geometry import from_matrix
+from footfall.geometry import from_matrix, rotate
 from footfall.io.gltf_document import GltfDocument
 from footfall.io.json_record import JsonRecord
 
-__all__ = ["GltfNodes", "read_nodes", "unit_rotations"]
+__all__ = ["GltfNodes", "node_matrix", "read_nodes", "unit_rotations"]
 
 
 @dataclass(frozen=True, eq=False)
@@ -146,3 +146,11 @@ def unit_rotations(rotations: Rotations, record: JsonRecord, name: str) -> Rotat
         worst = float(lengths.flat[int(np.abs(lengths - 1.0).argmax())])
         record.fail(name, f"holds a quaternion of length {worst:.3g}; rotations have length 1")
     return rotations / lengths
+
+
+def node_matrix(nodes: GltfNodes, node: int) -> Floats:
+    """Return what takes the frame of a node to that of its parent, shape (4, 4)."""
+    matrix = np.eye(4)
+    matrix[:3, :3] = rotate(nodes.rotations[node], np.eye(3)).T * nodes.scales[node]
+    matrix[:3, 3] = nodes.translations[node]
+    return matrix

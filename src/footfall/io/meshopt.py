@@ -52,12 +52,13 @@ def decode_meshopt(data: bytes, count: int, stride: int, mode: str, filter_name:
     if stride not in (2, 4) or filter_name != "NONE":
         raise MeshoptError(f"indices of {stride} bytes and filter {filter_name[:20]!r}")
     indices = np.zeros(count, dtype=np.int64)
+    numbers = source.astype(np.int64)
     if mode == "TRIANGLES":
         version = _version(source, _TRIANGLE_HEADER, 1)
-        good = count % 3 == 0 and read_triangles(source, version, indices)
+        good = count % 3 == 0 and read_triangles(numbers, version, indices)
     else:
         version = _version(source, _SEQUENCE_HEADER, 1)
-        good = read_sequence(source, indices)
+        good = read_sequence(numbers, indices)
     if not good:
         raise MeshoptError("its indices are damaged")
     return indices.astype("<u2" if stride == 2 else "<u4").tobytes()
@@ -101,9 +102,9 @@ def _read_vertices(source: Bytes, before: Bytes, vertices: Bytes) -> bool:
             at = _read_lane(source, at, (size + 15) // 16, deltas)
             if at < 0:
                 return False
-            value = int(before[lane])
+            value = np.int64(before[lane])
             for index in range(size):
-                delta = int(deltas[index])
+                delta = np.int64(deltas[index])
                 value = (value + ((delta >> 1) ^ -(delta & 1))) & 0xFF
                 vertices[first + index, lane] = value
             before[lane] = value

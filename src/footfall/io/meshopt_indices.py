@@ -7,18 +7,15 @@ sixteen vertices, or by a difference from the last index that was written in ful
 from __future__ import annotations
 
 import numpy as np
-import numpy.typing as npt
 
 from footfall.arrays import Indices
 from footfall.compilation import kernel
 
 __all__ = ["read_sequence", "read_triangles"]
 
-Bytes = npt.NDArray[np.uint8]
-
 
 @kernel
-def _varint(source: Bytes, at: int, end: int) -> tuple[int, int]:
+def _varint(source: Indices, at: int, end: int) -> tuple[int, int]:
     """Return a number of seven bits a byte, and where it ends; -1 where it does not."""
     value = 0
     for index in range(5):
@@ -51,11 +48,11 @@ def _push_vertex(vertices: Indices, state: Indices, vertex: int) -> None:
 
 
 @kernel
-def read_triangles(source: Bytes, version: int, indices: Indices) -> bool:
+def read_triangles(source: Indices, version: int, indices: Indices) -> bool:
     """Unpack triangles.
 
     Args:
-        source: The compressed bytes.
+        source: The compressed bytes, as whole numbers.
         version: 0 or 1, from the first of them.
         indices: Written, three a triangle, shape (count,).
 
@@ -85,7 +82,7 @@ def read_triangles(source: Bytes, version: int, indices: Indices) -> bool:
 
 @kernel
 def _beside_edge(
-    source: Bytes,
+    source: Indices,
     at: int,
     end: int,
     code: int,
@@ -124,7 +121,7 @@ def _beside_edge(
 
 @kernel
 def _place_corners(
-    source: Bytes,
+    source: Indices,
     at: int,
     end: int,
     lows: tuple[int, int, int],
@@ -156,7 +153,7 @@ def _place_corners(
 
 @kernel
 def _apart(
-    source: Bytes,
+    source: Indices,
     at: int,
     end: int,
     code: int,
@@ -192,7 +189,7 @@ def _apart(
 
 
 @kernel
-def read_sequence(source: Bytes, indices: Indices) -> bool:
+def read_sequence(source: Indices, indices: Indices) -> bool:
     """Unpack indices that are differences from one of two earlier ones; False where damaged."""
     end = source.size - 4
     at = 1
