@@ -33,13 +33,13 @@ def floats(document: GltfDocument, index: int, width: int) -> Floats:
             that is not finite.
     """
     record, stored = _elements(document, index, width)
+    if stored.dtype.kind == "f" and not (np.abs(stored) < 1e12).all():
+        element = int(np.argwhere(~(np.abs(stored) < 1e12))[0][0])
+        record.fail("", f"holds a number in element {element} that is not finite and below 1e12")
     numbers = stored.astype(np.float64)
     if record.flag("normalized") and stored.dtype.kind in "iu":
         # The least signed integer is below -1 by a little, and stands for -1.
         numbers = np.maximum(numbers / np.iinfo(stored.dtype).max, -1.0)
-    if not np.isfinite(numbers).all() or (np.abs(numbers) >= 1e12).any():
-        element = int(np.argwhere(~(np.abs(numbers) < 1e12))[0][0])
-        record.fail("", f"holds a number in element {element} that is not finite and below 1e12")
     return numbers
 
 

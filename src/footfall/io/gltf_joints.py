@@ -186,6 +186,9 @@ def _bound(document: GltfDocument, nodes: GltfNodes, order: list[int]) -> dict[i
         matrices = bind_matrices(document, skin)
         if matrices is None:
             continue
+        strangers = set(skin.indices("joints", nodes.count)) - set(order)
+        if strangers:
+            skin.fail("joints", f"hold node {min(strangers)}, which hangs on another root")
         axes = np.linalg.inv(matrices)[:, :3, :3]
         axes /= np.linalg.norm(axes, axis=1, keepdims=True)
         rotations = from_matrix(axes)
