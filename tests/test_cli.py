@@ -47,8 +47,8 @@ WRONG = {
     "convert sample:walk out.txt": (
         "out.txt: cannot be written: DeepMimic's body has the joints root, chest, neck, right_hip, "
         "right_knee, right_ankle, right_shoulder, right_elbow, right_wrist, left_hip, left_knee, "
-        "left_ankle, left_shoulder, left_elbow, left_wrist; this one has Hips, Spine, Spine1, Spine2, Neck, "
-        "Head, LeftShoulder, LeftArm, ...; retarget the motion onto it first"
+        "left_ankle, left_shoulder, left_elbow, left_wrist; this one has Hips, Spine, Spine1, "
+        "Spine2, Neck, Head, LeftShoulder, LeftArm, ...; retarget the motion onto it first"
     ),
     "convert sample:walk out.bvh --unit cm": "sample:walk is no file; --unit is for files",
     "info none.bvh --unit 2x": "--unit is '2x'; it must be a unit's name or a number of metres",

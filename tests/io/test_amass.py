@@ -20,9 +20,12 @@ def test_what_is_written_comes_back(tmp_path: Path, model: str) -> None:
     clip = smpl_clip(model)
     save(clip, tmp_path / "a.amass.npz")
     read = load(tmp_path / "a.amass.npz")
-    assert read.skeleton.same_family(clip.skeleton)
     assert read.fps == 60.0
-    np.testing.assert_allclose(read.world_poses()[1], clip.world_poses()[1], atol=1e-9)
+    order = [read.skeleton.index(name) for name in clip.skeleton.names]
+    np.testing.assert_allclose(read.world_poses()[1][:, order], clip.world_poses()[1], atol=1e-9)
+    save(read, tmp_path / "b.amass.npz")
+    again = load(tmp_path / "b.amass.npz")
+    np.testing.assert_allclose(again.world_poses()[1], read.world_poses()[1], atol=1e-9)
 
 
 def stored(path: Path, **changes: Any) -> Path:
@@ -58,7 +61,8 @@ def test_with_the_users_model_the_joints_are_that_persons(tmp_path: Path) -> Non
     clip = load(stored(tmp_path / "a.npz"), body=tmp_path / "model.npz")
     joints = approximate_joints("SMPL-H") * (1.1 + 2.0 * 0.1 * 1.1)
     wanted = joints - joints[0] + [0.0, 0.9, 0.0]
-    np.testing.assert_allclose(clip.world_poses()[1][0], wanted, atol=1e-9)
+    order = [clip.skeleton.index(name) for name in SMPL_TREES["SMPL-H"]]
+    np.testing.assert_allclose(clip.world_poses()[1][0, order], wanted, atol=1e-9)
     assert "from model.npz" in clip.provenance[-1]
 
 

@@ -18,12 +18,16 @@ def test_what_is_written_comes_back(tmp_path: Path, name: str) -> None:
     clip = humanoid_clip(9)
     save_deepmimic(clip, tmp_path / name)
     read = load(tmp_path / name)
-    assert read.skeleton.same_family(clip.skeleton)
+    # Skeletons stand depth-first, the humanoid's file does not.
+    assert read.skeleton.names[:5] == ("root", "chest", "neck", "right_shoulder", "right_elbow")
     assert (read.fps, read.frames, read.cyclic) == (30.0, 9, False)
-    joints = [joint for joint, one in enumerate(clip.skeleton.names) if "wrist" not in one]
-    np.testing.assert_allclose(
-        read.world_poses()[1][:, joints], clip.world_poses()[1][:, joints], atol=1e-8
-    )
+    for one in clip.skeleton.names:
+        places = read.world_poses()[1][:, read.skeleton.index(one)]
+        wanted = clip.world_poses()[1][:, clip.skeleton.index(one)]
+        np.testing.assert_allclose(places, wanted, atol=1e-8)
+    save_deepmimic(read, tmp_path / "again.txt")
+    again = load(tmp_path / "again.txt")
+    np.testing.assert_allclose(again.world_poses()[1], read.world_poses()[1], atol=1e-8)
 
 
 def frames(durations: list[float]) -> dict[str, Any]:

@@ -84,11 +84,12 @@ class SlowGltf:
         one, other = values[k], values[k + 1]
         if path != "rotation":
             return (1 - u) * one + u * other
-        cosine = float(one @ other)
-        if cosine < 0:
-            other, cosine = -other, -cosine
-        angle = np.arccos(min(cosine, 1.0))
-        if angle < 1e-6:
+        one, other = one / np.linalg.norm(one), other / np.linalg.norm(other)
+        if float(one @ other) < 0:
+            other = -other
+        # Of two unit quaternions nearly alike the cosine says nothing of the angle.
+        angle = 2.0 * np.arctan2(np.linalg.norm(one - other), np.linalg.norm(one + other))
+        if angle < 1e-9:
             return one
         return (np.sin((1 - u) * angle) * one + np.sin(u * angle) * other) / np.sin(angle)
 

@@ -25,6 +25,7 @@ from footfall.io.bvh_clip import clip_from_rig
 from footfall.io.bvh_rig import BvhRig
 from footfall.io.conclusions import Conclusion, Conclusions
 from footfall.io.frame_rate import conclude_rate
+from footfall.io.joint_order import named_like
 from footfall.io.numpy_archive import archive_names, read_archive
 from footfall.io.smpl_bodies import SMPL_PARENTS, SMPL_TREES, STATURE, approximate_joints
 from footfall.io.smpl_model import model_joints
@@ -188,8 +189,11 @@ def save_amass(clip: Clip, path: Path | str) -> None:
     """
     path = Path(path)
     skeleton = clip.skeleton
-    kind = next((one for one, tree in SMPL_TREES.items() if tuple(tree) == skeleton.names), None)
-    if kind is None or skeleton.parents.tolist() != SMPL_PARENTS[kind].tolist():
+    orders = (
+        named_like(skeleton, tuple(tree), SMPL_PARENTS[kind]) for kind, tree in SMPL_TREES.items()
+    )
+    order = next((one for one in orders if one is not None), None)
+    if order is None:
         raise FileFormatError(
             f"cannot be written: AMASS has the joints of SMPL, {', '.join(SMPL_TREES['SMPL'])}; "
             f"this body has {', '.join(skeleton.names[:8])}, ...; retarget the motion onto it "
@@ -206,11 +210,11 @@ def save_amass(clip: Clip, path: Path | str) -> None:
     packed = io.BytesIO()
     np.savez_compressed(
         packed,
-        poses=to_rotation_vector(rotations).reshape(clip.frames, -1),
+        poses=to_rotation_vector(rotations[:, order]).reshape(clip.frames, -1),
         trans=rotate(back, clip.pelvis_positions),
         betas=np.zeros(16),
         gender=np.array("neutral"),
         mocap_framerate=np.array(clip.fps),
-        footfall_joints=joints,
+        footfall_joints=joints[order],
     )
     write_atomically(path, packed.getvalue())

@@ -20,7 +20,7 @@ from footfall.io.observations import (
     conclude_floor,
     legs_or_reason,
 )
-from footfall.io.root_layout import fold_root, rest_skeleton
+from footfall.io.root_layout import depth_first, fold_root, rest_skeleton
 from footfall.io.stated import Stated
 from footfall.io.units import UNITS, Unit, parse_unit, unit_of_leg
 from footfall.io.up_axis import conclude_up, turned_up
@@ -69,6 +69,7 @@ def clip_from_rig(
     if stated.fps is None:
         stated = replace(stated, fps=conclude_rate(rig.frame_time, fps))
     try:
+        rig = depth_first(rig)
         found = legs_or_reason(rest_skeleton(rig))
         folded, root = fold_root(rig, None if isinstance(found, str) else found)
         anatomy = legs_or_reason(rest_skeleton(folded))

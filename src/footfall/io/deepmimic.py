@@ -19,6 +19,7 @@ from footfall.io.conclusions import Conclusion, Conclusions
 from footfall.io.deepmimic_body import HUMANOID, WIDTHS, DeepMimicBody, read_character
 from footfall.io.frame_rate import USUAL_RATES, conclude_rate
 from footfall.io.gltf_nodes import unit_rotations
+from footfall.io.joint_order import named_like
 from footfall.io.json_record import GREATEST, JsonRecord, parse_json
 from footfall.io.key_rate import conclude_key_rate, frame_times
 from footfall.io.raw_file import read_bytes
@@ -197,12 +198,12 @@ def save_deepmimic(clip: Clip, path: Path | str, *, character: Path | str | None
     """
     path = Path(path)
     body = HUMANOID if character is None else read_character(Path(character))
-    _check_body(clip, body, path)
+    order = _order(clip, body, path)
     columns = [np.full((clip.frames, 1), 1.0 / clip.fps), clip.pelvis_positions]
     # The last frame ends the motion: nothing follows for it to last until.
     columns[0][-1] = 0.0
     for joint, kind in enumerate(body.kinds):
-        turns = clip.local_rotations[:, joint]
+        turns = clip.local_rotations[:, order[joint]]
         if kind == "spherical":
             columns.append(turns)
             continue
@@ -227,19 +228,26 @@ def _hinge_angles(turns: Rotations, name: str, path: Path) -> Floats:
     return np.unwrap(2.0 * np.arctan2(turns[:, 3], turns[:, 0]))
 
 
-def _check_body(clip: Clip, body: DeepMimicBody, path: Path) -> None:
+def _order(clip: Clip, body: DeepMimicBody, path: Path) -> list[int]:
+    """Return the joint of the clip for each joint of the body.
+
+    Raises:
+        FileFormatError: If the clip's body is another one.
+    """
     names = clip.skeleton.names
-    if names != body.names or clip.skeleton.parents.tolist() != body.parents.tolist():
+    order = named_like(clip.skeleton, body.names, body.parents)
+    if order is None:
         raise FileFormatError(
             f"cannot be written: DeepMimic's body has the joints {', '.join(body.names)}; this "
             f"one has {', '.join(names[:8])}, ...; retarget the motion onto it first",
             path=path,
         )
-    away = np.linalg.norm(clip.skeleton.rest_offsets - body.offsets, axis=-1)
+    away = np.linalg.norm(clip.skeleton.rest_offsets[order] - body.offsets, axis=-1)
     if away.max() > SAME_BONE:
         joint = int(away.argmax())
         raise FileFormatError(
-            f"cannot be written: {names[joint]!r} is {away[joint] * 1000.0:.1f} mm from where "
+            f"cannot be written: {body.names[joint]!r} is {away[joint] * 1000.0:.1f} mm from where "
             "DeepMimic's body has it; retarget the motion onto it first",
             path=path,
         )
+    return order
