@@ -97,13 +97,7 @@ def read_deepmimic(
 def _frames(
     keys: Seconds, fps: float | None, root: JsonRecord
 ) -> tuple[Conclusion[float], Seconds]:
-    """Return the rate, and when the frames are; they are those of the file where it is steady.
-
-    Args:
-        keys: When the frames of the file begin, shape (frames of the file,).
-        fps: The rate, if the caller knows it better.
-        root: The file, for messages.
-    """
+    """Return the rate, and when the frames are: as in the file, where all last equally long."""
     durations = np.diff(keys)
     if fps is not None:
         seconds = keys[-1] / len(durations) if len(durations) else 1.0 / 30.0

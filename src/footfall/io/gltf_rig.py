@@ -45,9 +45,8 @@ def rig_at(
     Raises:
         FileFormatError: If a joint stretches what is below it unevenly, or mirrors it.
     """
-    frames, count = len(times), len(joints.nodes)
+    frames, count, rest = len(times), len(joints.nodes), joints.rest_rotations
     by_target = {(channel.node, channel.path): channel for channel in channels}
-    rest = joints.rest_rotations
     rotations = np.empty((frames, count, 4))
     translations: dict[int, Positions] = {}
     offsets = np.zeros((count, 3))
@@ -55,8 +54,7 @@ def rig_at(
     stretches: list[tuple[Floats, Floats]] = []
     for joint, node in enumerate(joints.nodes):
         places, turns, scale = _placed(by_target, nodes, node, times)
-        parent = joints.parents[joint]
-        back = conjugate(rest[joint])
+        parent, back = joints.parents[joint], conjugate(rest[joint])
         if parent < 0:
             rotations[:, joint] = multiply(turns, back)
             stretches.append((np.ones((1, 1)), scale))

@@ -14,7 +14,7 @@ from footfall.io.gltf_document import GltfDocument
 from footfall.motion import Clip
 from footfall.skeleton import Skeleton
 
-__all__ = ["INFLUENCES", "SkinnedBody"]
+__all__ = ["INFLUENCES", "SkinnedBody", "skin_vertices"]
 
 INFLUENCES = 4
 """Joints that move a vertex at most."""
