@@ -22,5 +22,5 @@ def named_like(skeleton: Skeleton, names: tuple[str, ...], parents: Indices) -> 
     if set(names) != set(skeleton.names) or len(names) != skeleton.count:
         return None
     order = [skeleton.index(name) for name in names]
-    wanted = [-1 if parent < 0 else order[parent] for parent in parents.tolist()]
+    wanted: list[int] = [-1 if parent < 0 else order[parent] for parent in parents.tolist()]
     return order if skeleton.parents[order].tolist() == wanted else None
