@@ -96,7 +96,7 @@ class SlowGltf:
             return one
         return (np.sin((1 - u) * angle) * one + np.sin(u * angle) * other) / np.sin(angle)
 
-    def local(self, node: int, moved: dict[tuple[int, str], Matrix]) -> Matrix:
+    def local(self, node: int, moved: dict[tuple[int, str], Any]) -> Matrix:
         """Return what takes a node's frame to its parent's, shape (4, 4)."""
         record = self.nodes[node]
         if "matrix" in record:
@@ -115,7 +115,7 @@ class SlowGltf:
         matrix[:3, 3] = translation
         return matrix
 
-    def world(self, node: int, moved: dict[tuple[int, str], Matrix]) -> Matrix:
+    def world(self, node: int, moved: dict[tuple[int, str], Any]) -> Matrix:
         """Return what takes a node's frame to the world, shape (4, 4)."""
         matrix = self.local(node, moved)
         while node in self.parents:
