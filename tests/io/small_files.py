@@ -72,9 +72,7 @@ def _turns(frames: int, joints: int) -> npt.NDArray[np.float64]:
 def humanoid_clip(frames: int = 3) -> Clip:
     """Return a motion of DeepMimic's humanoid."""
     body = Skeleton(HUMANOID.names, HUMANOID.parents, HUMANOID.offsets, HUMANOID.tips)
-    places: npt.NDArray[np.float64] = (
-        np.tile([0.0, 0.85, 0.0], (frames, 1)) + 0.01 * np.arange(frames)[:, np.newaxis]
-    )
+    places: Any = np.tile([0.0, 0.85, 0.0], (frames, 1)) + 0.01 * np.arange(frames)[:, np.newaxis]
     return Clip(body, places, _turns(frames, body.count), 30.0)
 
 
@@ -84,9 +82,7 @@ def smpl_clip(model: str = "SMPL body", frames: int = 3) -> Clip:
     parents = SMPL_PARENTS[model]
     offsets = joints - np.where(parents[:, np.newaxis] >= 0, joints[parents], joints)
     body = Skeleton(tuple(SMPL_TREES[model]), parents, offsets)
-    places: npt.NDArray[np.float64] = (
-        np.tile([0.1, 0.95, 0.0], (frames, 1)) + 0.01 * np.arange(frames)[:, np.newaxis]
-    )
+    places: Any = np.tile([0.1, 0.95, 0.0], (frames, 1)) + 0.01 * np.arange(frames)[:, np.newaxis]
     return Clip(body, places, _turns(frames, body.count), 60.0)
 
 
