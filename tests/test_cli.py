@@ -9,7 +9,7 @@ import pytest
 
 import footfall as ff
 from footfall.cli import main
-from footfall.io.files import WRITERS
+from footfall.io.motion_formats import WRITERS
 from footfall.samples import sample_names
 
 SHEET = """
@@ -44,6 +44,14 @@ WRONG = {
     "edit sample:kick out.bvh --crop 1:90": (
         "sample:kick: clip 'kick': the crop's end is 90 s; it must be within 0..2.1 s"
     ),
+    "convert sample:walk out.txt": (
+        "out.txt: cannot be written: DeepMimic's body has the joints root, chest, neck, right_hip, "
+        "right_knee, right_ankle, right_shoulder, right_elbow, right_wrist, left_hip, left_knee, "
+        "left_ankle, left_shoulder, left_elbow, left_wrist; this one has Hips, Spine, Spine1, "
+        "Spine2, Neck, Head, LeftShoulder, LeftArm, ...; retarget the motion onto it first"
+    ),
+    "convert sample:walk out.bvh --unit cm": "sample:walk is no file; --unit is for files",
+    "info none.bvh --unit 2x": "--unit is '2x'; it must be a unit's name or a number of metres",
     "info none.bvh": "none.bvh: there is no such file; check the name",
     "blend none.toml -o out.bvh": "none.toml: there is no such file; check the name",
     "report none.toml": "none.toml: there is no such file; check the name",
@@ -146,3 +154,40 @@ def test_blend_writes_motion_supports_and_figures(
     assert told["starts"] == [{"action": "walk", "commanded": 0.1, "actual": 0.1, "reason": ""}]
     assert list(told["rows"]) == ["cross-fade", "paper", "no-footprints", "footfall"]
     assert ff.load_supports(tmp_path / "out.supports").duration == pytest.approx(0.5)
+
+
+def test_convert_carries_the_supports_along(tmp_path: Path, capsys: Captured) -> None:
+    assert main(["convert", "sample:walk", str(tmp_path / "a.npz")]) == 0
+    assert main(["convert", str(tmp_path / "a.npz"), str(tmp_path / "b.glb")]) == 0
+    assert main(["convert", f"{tmp_path / 'b.glb'}#0", str(tmp_path / "c.bvh")]) == 0
+    told = capsys.readouterr().out
+    assert told.count("supports as they came with the motion: ") == 2
+    wanted = ff.load(tmp_path / "a.npz")
+    assert (tmp_path / "b.supports").read_text() == (tmp_path / "a.supports").read_text()
+    for name in ("b.glb", "c.bvh"):
+        read = ff.load(tmp_path / name)
+        assert read.frames == wanted.frames
+        assert abs(read.world_poses()[1] - wanted.world_poses()[1]).max() < 1e-5
+
+
+def test_what_a_file_does_not_say_is_said_by_an_option(tmp_path: Path, capsys: Captured) -> None:
+    text = "HIERARCHY\nROOT a\n{\nOFFSET 0 0 0\nCHANNELS 3 Xposition Yposition Zposition\n}\n"
+    (tmp_path / "a.bvh").write_text(f"{text}MOTION\nFrames: 2\nFrame Time: 0.1\n1 2 3\n4 5 6\n")
+    known = ["--unit", "0.1", "--up", "y", "--fps", "20"]
+    assert main(["info", str(tmp_path / "a.bvh")]) == 2
+    assert main(["info", str(tmp_path / "a.bvh"), "--json", *known]) == 0
+    told = json.loads(capsys.readouterr().out)
+    assert (told["fps"], told["metres_per_unit"], told["up"]) == (20.0, 0.1, "y")
+    source, target = str(tmp_path / "a.bvh"), tmp_path / "b.npz"
+    for command in (["convert", source, str(target)], ["edit", source, str(target)]):
+        assert main([*command, *known]) == 0
+        assert ff.load(target).pelvis_positions[1].tolist() == pytest.approx([0.4, 0.5, 0.6])
+
+
+def test_info_lists_the_animations_of_a_file(tmp_path: Path, capsys: Captured) -> None:
+    clip = ff.load_motion("sample:walk")[0] if hasattr(ff, "load_motion") else ff.sample("walk")[0]
+    ff.io.save_gltf(clip, tmp_path / "one.glb")
+    body = ff.io.load_skinned(tmp_path / "one.glb")
+    ff.io.save_skinned(body, [clip, clip.evolve(name="again")], tmp_path / "two.glb")
+    assert main(["info", str(tmp_path / "two.glb")]) == 0
+    assert f"animations   {clip.name}, again" in capsys.readouterr().out

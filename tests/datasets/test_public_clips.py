@@ -17,7 +17,7 @@ from footfall.datasets import PublicClip, fetch_clip, find_clip, public_clips
 from footfall.datasets.public_clips import FREE
 from footfall.errors import FileFormatError, MissingExtraError, UnknownNameError
 from footfall.io import load
-from footfall.io.files import READERS
+from footfall.io.motion_formats import READERS
 
 CLIPS = public_clips()
 

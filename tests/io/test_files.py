@@ -17,7 +17,7 @@ from footfall.io import (
     save_native,
     save_supports,
 )
-from footfall.io.files import READERS, WRITERS
+from footfall.io.motion_formats import READERS, WRITERS
 from footfall.support import SupportSequence
 
 WALK = SupportSequence.parse("R.4 D.1 L.4 D.1*")

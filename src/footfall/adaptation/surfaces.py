@@ -18,6 +18,7 @@ __all__ = [
     "Contact",
     "Ground",
     "Surface",
+    "Surfaces",
     "carry",
     "frame_of",
     "probe",

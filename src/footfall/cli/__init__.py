@@ -11,6 +11,7 @@ from collections.abc import Sequence
 from cyclopts import App, CycloptsError
 
 from footfall.cli.annotating import annotate
+from footfall.cli.converting import convert
 from footfall.cli.demonstration import demo
 from footfall.cli.fetching import fetch_samples, list_samples
 from footfall.cli.inspection import detect, info
@@ -25,6 +26,7 @@ __all__ = [
     "annotate",
     "blend",
     "clean",
+    "convert",
     "demo",
     "detect",
     "edit",
@@ -62,6 +64,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         detect,
         edit,
         clean,
+        convert,
         retarget,
         sync,
         blend,

@@ -8,27 +8,41 @@ from typing import Annotated, Any
 
 from cyclopts import Parameter
 
-from footfall.cli.inputs import about, read_motion
+from footfall.cli.inputs import Known, about, read_motion
 from footfall.detection import detect_supports, frame_symbols
-from footfall.io import Conclusions, load_with_conclusions, save_supports, supports_text
+from footfall.io import (
+    Conclusions,
+    gltf_animations,
+    load_with_conclusions,
+    save_supports,
+    split_choice,
+    supports_text,
+)
+from footfall.io.clip_choice import CHOOSING
 from footfall.motion import Clip
 
 __all__ = ["detect", "info"]
 
 
-def info(file: Path, /, *, json: bool = False) -> None:
+def info(file: str, /, *, json: bool = False, known: Known | None = None) -> None:
     """Say what is in a motion file: joints, rate, unit, axes, feet, cyclic or not, and why.
+
+    Of a glTF file with several animations, all are listed; walk.glb#Walk_Loop chooses one, and
+    without a choice the first one is described.
 
     Parameters
     ----------
     file
-        A .bvh, .bvh.gz or .npz file.
+        A motion file, such as .bvh, .bvh.gz, .glb, .npz or .txt.
     json
         Print JSON.
     """
-    clip, conclusions = load_with_conclusions(file)
+    options = (known or Known()).options()
+    animations = _animations(file)
+    path = f"{file}#0" if len(animations) > 1 and split_choice(file)[1] is None else file
+    clip, conclusions = load_with_conclusions(path, **options)
     if json:
-        print(json_text.dumps(_info_json(file, clip, conclusions), indent=2))
+        print(json_text.dumps(_info_json(file, clip, conclusions, animations), indent=2))
         return
     print(f"{file}: {clip.frames} frames, {clip.duration:.3f} s, {clip.skeleton.count} joints")
     sentences = conclusions.sentences()
@@ -36,12 +50,22 @@ def info(file: Path, /, *, json: bool = False) -> None:
     for name, reason in sentences:
         print(f"  {name:<{width}}  {reason}")
     print(f"  {'joints':<{width}}  {', '.join(clip.skeleton.names)}")
+    if len(animations) > 1:
+        print(f"  {'animations':<{width}}  {', '.join(animations)}")
 
 
-def _info_json(file: Path, clip: Clip, conclusions: Conclusions) -> dict[str, Any]:
+def _animations(file: str) -> tuple[str, ...]:
+    """Return the names of the animations among which one can choose."""
+    path, _ = split_choice(file)
+    return gltf_animations(path) if path.suffix.lower() in CHOOSING else ()
+
+
+def _info_json(
+    file: str, clip: Clip, conclusions: Conclusions, animations: tuple[str, ...]
+) -> dict[str, Any]:
     feet = conclusions.feet.value
     return {
-        "file": str(file),
+        "file": file,
         "joints": list(clip.skeleton.names),
         "parents": [int(parent) for parent in clip.skeleton.parents],
         "frames": clip.frames,
@@ -56,6 +80,7 @@ def _info_json(file: Path, clip: Clip, conclusions: Conclusions) -> dict[str, An
         "feet": None
         if feet is None
         else {side: leg._asdict() for side, leg in zip(("left", "right"), feet, strict=True)},
+        "animations": list(animations),
         "reasons": dict(conclusions.sentences()),
     }
 
@@ -68,13 +93,14 @@ def detect(
     height: float | None = None,
     speed: float | None = None,
     json: bool = False,
+    known: Known | None = None,
 ) -> None:
     """Find the support phases of a motion.
 
     Parameters
     ----------
     file
-        A .bvh, .bvh.gz or .npz file, or sample:NAME.
+        A motion file, such as .bvh, .glb or .npz, or sample:NAME.
     output
         Write them to this .supports file.
     height
@@ -84,7 +110,7 @@ def detect(
     json
         Print JSON.
     """
-    clip, _ = read_motion(file)
+    clip, _ = read_motion(file, known)
     with about(file):
         supports = detect_supports(clip, height=height, speed=speed)
     if output is not None:

@@ -7,7 +7,7 @@ from typing import Annotated
 
 from cyclopts import Parameter
 
-from footfall.cli.inputs import about, origin_of, read_motion
+from footfall.cli.inputs import Known, about, origin_of, read_motion
 from footfall.cli.outputs import check_output, save_motion
 from footfall.detection import clean_and_tell, detect_supports
 from footfall.errors import ArgumentError
@@ -31,13 +31,14 @@ def edit(
     mirror: bool = False,
     resample: float | None = None,
     cycle: bool = False,
+    known: Known | None = None,
 ) -> None:
     """Edit a motion: first cropped, then mirrored, then cut to a cycle, then resampled.
 
     Parameters
     ----------
     source
-        A .bvh, .bvh.gz or .npz file, or sample:NAME.
+        A motion file, such as .bvh, .glb or .npz, or sample:NAME.
     output
         The .bvh, .glb or .npz file to write.
     crop
@@ -51,7 +52,7 @@ def edit(
     """
     check_output(output)
     times = None if crop is None else _times(crop)
-    original, _ = read_motion(source)
+    original, _ = read_motion(source, known)
     with about(source):
         clip = _edited(original, times, mirror=mirror, cycle=cycle, resample=resample)
     save_motion(clip, output)
@@ -88,28 +89,34 @@ def _times(text: str) -> tuple[float, float]:
     return times
 
 
-def clean(file: str, /, *, output: Annotated[Path, Parameter(name=("-o", "--output"))]) -> None:
+def clean(
+    file: str,
+    /,
+    *,
+    output: Annotated[Path, Parameter(name=("-o", "--output"))],
+    known: Known | None = None,
+) -> None:
     """Pin every planted foot of a motion, and tell its slip before and after.
 
     Parameters
     ----------
     file
-        A .bvh, .bvh.gz or .npz file, or sample:NAME. Its .supports beside it are used; else
-        supports are detected.
+        A motion file, such as .bvh, .glb or .npz, or sample:NAME. Its .supports beside it are
+        used; else supports are detected.
     output
         The .bvh, .glb or .npz file to write; its .supports go beside it.
     """
     check_output(output)
-    clip, known = read_motion(file)
+    clip, given = read_motion(file, known)
     with about(file):
         anatomy = find_anatomy(clip.skeleton)
-        supports = detect_supports(clip, anatomy) if known is None else known
+        supports = detect_supports(clip, anatomy) if given is None else given
         told = clean_and_tell(clip, supports, anatomy)
         slips = [
             measure(clip_trace(one, anatomy, supports)).slip.overall for one in (clip, told.clip)
         ]
     save_motion(told.clip, output, supports)
-    print(f"{output}: supports {origin_of(known)}: {supports}")
+    print(f"{output}: supports {origin_of(given)}: {supports}")
     print(f"  {told}")
     for when, slip in zip(("before", "after"), slips, strict=True):
         print(f"  slip {when}: {_spread_text(slip)}")

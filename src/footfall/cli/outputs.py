@@ -8,16 +8,19 @@ from pathlib import Path
 from typing import Any
 
 from footfall.errors import FileFormatError
-from footfall.io import save, save_gltf, save_native, save_supports, write_atomically
-from footfall.io.files import WRITERS
+from footfall.io import (
+    save,
+    save_gltf,
+    save_native,
+    save_supports,
+    writable_suffixes,
+    write_atomically,
+)
 from footfall.motion import Clip
 from footfall.scenario.motions import supports_path
 from footfall.support import SupportSequence
 
 __all__ = ["check_folder", "check_output", "save_motion", "write_json"]
-
-SUFFIXES = tuple(sorted(WRITERS))
-"""Of the files that a motion can be written to."""
 
 
 def check_output(path: Path) -> None:
@@ -26,9 +29,9 @@ def check_output(path: Path) -> None:
     Raises:
         FileFormatError: If its suffix is unknown or its folder is missing.
     """
-    if not path.name.lower().endswith(SUFFIXES):
+    if not path.name.lower().endswith(writable_suffixes()):
         raise FileFormatError(
-            f"cannot be written: its suffix is none of {', '.join(SUFFIXES)}", path=path
+            f"cannot be written: its suffix is none of {', '.join(writable_suffixes())}", path=path
         )
     check_folder(path)
 
@@ -60,7 +63,7 @@ def save_motion(
     suffix = path.suffix.lower()
     if suffix == ".glb":
         save_gltf(clip, path, supports=symbols)
-    elif suffix == ".npz":
+    elif suffix == ".npz" and not path.name.lower().endswith(".amass.npz"):
         save_native(clip, path, supports=supports)
     else:
         save(clip, path)

@@ -17,7 +17,7 @@ from footfall.datasets.table import write_table
 from footfall.errors import ArgumentError, FileFormatError
 from footfall.extras import extra_module
 from footfall.io import write_atomically
-from footfall.io.files import READERS
+from footfall.io.motion_formats import READERS
 
 __all__ = ["PAGE", "TABLE", "ArchiveSummary", "annotate_archive", "motion_files"]
 

@@ -8,11 +8,13 @@ from footfall.geometry.rotations import (
     from_axis_angle,
     from_euler,
     from_matrix,
+    from_rotation_vector,
     from_yaw,
     multiply,
     rotate,
     slerp,
     to_euler,
+    to_rotation_vector,
 )
 
 __all__ = [
@@ -23,10 +25,12 @@ __all__ = [
     "from_axis_angle",
     "from_euler",
     "from_matrix",
+    "from_rotation_vector",
     "from_yaw",
     "multiply",
     "rational_hermite",
     "rotate",
     "slerp",
     "to_euler",
+    "to_rotation_vector",
 ]

@@ -20,11 +20,13 @@ __all__ = [
     "from_axis_angle",
     "from_euler",
     "from_matrix",
+    "from_rotation_vector",
     "from_yaw",
     "multiply",
     "rotate",
     "slerp",
     "to_euler",
+    "to_rotation_vector",
 ]
 
 IDENTITY = np.array([1.0, 0.0, 0.0, 0.0])
@@ -87,12 +89,17 @@ def from_euler(order: str, angles: Floats) -> Rotations:
     return result
 
 
-def from_matrix(matrix: Floats) -> Rotations:
-    """Return the rotation of a matrix, shape (3, 3): the unit quaternion that agrees with it best.
+def from_matrix(matrices: Floats) -> Rotations:
+    """Return the rotations of matrices, shape (..., 3, 3): those that they agree with best.
 
-    The matrix need not be quite orthogonal; of a rotation it is the exact quaternion.
+    A matrix that is no rotation by a little, through rounding, is no problem: the result is the
+    unit quaternion q that maximizes the trace of R(q)ᵀ M (Bar-Itzhack 2000, version 3).
+
+    Returns:
+        Rotations, shape (..., 4).
     """
-    (a, b, c), (d, e, f), (g, h, i) = matrix
+    m = np.moveaxis(np.asarray(matrices, dtype=np.float64), (-2, -1), (0, 1))
+    (a, b, c), (d, e, f), (g, h, i) = m
     agreement = np.array(
         [
             [a + e + i, h - f, c - g, d - b],
@@ -101,8 +108,8 @@ def from_matrix(matrix: Floats) -> Rotations:
             [d - b, c + g, f + h, i - a - e],
         ]
     )
-    _, vectors = np.linalg.eigh(agreement)
-    return vectors[:, -1]
+    _, vectors = np.linalg.eigh(np.moveaxis(agreement, (0, 1), (-2, -1)))
+    return vectors[..., :, -1]
 
 
 def to_euler(order: str, rotations: Rotations) -> Floats:
@@ -183,3 +190,20 @@ def blend_rotations(rotations: Rotations, weights: Floats) -> Rotations:
     signed = np.where(opposed, -weights, weights)
     total = np.einsum("p...,p...i->...i", signed, rotations)
     return total / np.linalg.norm(total, axis=-1, keepdims=True)
+
+
+def from_rotation_vector(vectors: Positions) -> Rotations:
+    """Return the rotations about `vectors` by their lengths [rad], shape (..., 3) to (..., 4)."""
+    vectors = np.asarray(vectors, dtype=np.float64)
+    angle = np.linalg.norm(vectors, axis=-1, keepdims=True)
+    # sin(a/2)/a, which tends to 1/2 where nothing turns.
+    share = 0.5 * np.sinc(angle / (2.0 * np.pi))
+    return np.concatenate([np.cos(0.5 * angle), share * vectors], axis=-1)
+
+
+def to_rotation_vector(rotations: Rotations) -> Positions:
+    """Return the axes times the angles [rad], at most π, the inverse of `from_rotation_vector`."""
+    positive = np.where(rotations[..., :1] < 0.0, -rotations, rotations)
+    sine = np.linalg.norm(positive[..., 1:], axis=-1, keepdims=True)
+    angle = 2.0 * np.arctan2(sine, positive[..., :1])
+    return positive[..., 1:] * np.where(sine > 1e-12, angle / np.maximum(sine, 1e-12), 2.0)

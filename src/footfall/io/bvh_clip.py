@@ -1,7 +1,8 @@
-"""From what a BVH file says to a clip: each conclusion in turn, with its reason."""
+"""From what a file says, joint by joint, to a clip: each conclusion in turn, with its reason."""
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -19,7 +20,8 @@ from footfall.io.observations import (
     conclude_floor,
     legs_or_reason,
 )
-from footfall.io.root_layout import fold_root, rest_skeleton
+from footfall.io.root_layout import depth_first, fold_root, rest_skeleton
+from footfall.io.stated import Stated
 from footfall.io.units import UNITS, Unit, parse_unit, unit_of_leg
 from footfall.io.up_axis import conclude_up, turned_up
 from footfall.motion import Clip
@@ -38,6 +40,7 @@ def clip_from_rig(
     unit: str | float | None = None,
     up: str | None = None,
     fps: float | None = None,
+    stated: Stated | None = None,
 ) -> tuple[Clip, Conclusions]:
     """Conclude what a file means.
 
@@ -47,6 +50,7 @@ def clip_from_rig(
         unit: Its unit, if known: a name of `footfall.io.units.UNITS`, or metres.
         up: Its upward axis, if known: ``"y"`` or ``"z"``.
         fps: Its frame rate, if known.
+        stated: What its form says already; `unit` and `up` override it, `fps` does not.
 
     Returns:
         The clip and what was concluded.
@@ -55,28 +59,39 @@ def clip_from_rig(
         FileFormatError: If something can be neither found nor was given.
         ArgumentError: If `unit`, `up` or `fps` is impossible.
     """
-    known_unit = None if unit is None else parse_unit(unit)
+    stated = stated or Stated()
+    if unit is not None:
+        stated = replace(stated, unit=_asked_unit(unit))
     if up not in (None, "y", "z"):
         raise ArgumentError(f"up={up!r} is unknown; use 'y' or 'z'")
-    rate = conclude_rate(rig.frame_time, fps)
+    if up is not None:
+        stated = replace(stated, up=Conclusion(up, f"{up}, as asked for"))
+    if stated.fps is None:
+        stated = replace(stated, fps=conclude_rate(rig.frame_time, fps))
     try:
+        rig = depth_first(rig)
         found = legs_or_reason(rest_skeleton(rig))
         folded, root = fold_root(rig, None if isinstance(found, str) else found)
         anatomy = legs_or_reason(rest_skeleton(folded))
         if isinstance(anatomy, str):
-            _ask_without_legs(known_unit, up, path)
+            _ask_without_legs(stated, path)
         fixed, bones = fix_bones(folded, None if isinstance(anatomy, str) else anatomy, path)
-        return _assembled(fixed, anatomy, path, known_unit, up, (rate, root, bones))
+        return _assembled(fixed, anatomy, path, stated, (root, bones))
     except (SkeletonError, ClipError) as error:
         raise FileFormatError(str(error), path=path) from error
 
 
-def _ask_without_legs(unit: Unit | None, up: str | None, path: Path) -> None:
+def _asked_unit(unit: str | float) -> Conclusion[Unit]:
+    found = parse_unit(unit)
+    return Conclusion(found, f"{found.name}, as asked for")
+
+
+def _ask_without_legs(stated: Stated, path: Path) -> None:
     """Complain that the unit and the upward axis are neither known nor to be found."""
     missing: list[str] = []
-    if unit is None:
+    if stated.unit is None:
         missing.append(f"unit= ({', '.join(known.name for known in UNITS)}, or a number of metres)")
-    if up is None:
+    if stated.up is None:
         missing.append("up= ('y' or 'z')")
     if missing:
         raise FileFormatError(
@@ -90,17 +105,16 @@ def _assembled(
     rig: BvhRig,
     anatomy: Anatomy | str,
     path: Path,
-    unit: Unit | None,
-    up: str | None,
-    concluded: tuple[Conclusion[float], Conclusion[str], Conclusion[float]],
+    stated: Stated,
+    concluded: tuple[Conclusion[str], Conclusion[float]],
 ) -> tuple[Clip, Conclusions]:
-    rate, root, bones = concluded
+    root, bones = concluded
     raw = rest_skeleton(rig)
-    unit_found = _conclude_unit(raw, anatomy, unit, path)
+    unit_found = _conclude_unit(raw, anatomy, stated.unit, path)
     metres = unit_found.value.metres
     places = metres * rig.translations.get(0, np.zeros((rig.frames, 3)))
     body = Skeleton(raw.names, raw.parents, metres * raw.rest_offsets, metres * raw.tip_offsets)
-    up_found = _conclude_up(up, body, anatomy, places, rig, path)
+    up_found = stated.up or _conclude_up(body, anatomy, places, rig, path)
     skeleton, places, rotations = turned_up(body, places, rig.rotations, up_found.value)
     world_rotations, positions = world_poses(skeleton, places, rotations)
     anatomy = _found_anew(anatomy, skeleton)
@@ -109,35 +123,28 @@ def _assembled(
         up=up_found,
         root=root,
         bones=_in_metres(bones, metres),
-        frames=_conclude_frames(rig),
-        fps=rate,
+        frames=stated.frames or _conclude_frames(rig),
+        fps=stated.fps or conclude_rate(rig.frame_time, None),
         feet=conclude_feet(skeleton, anatomy),
         first_frame=conclude_first_frame(positions),
         floor=conclude_floor(anatomy, world_rotations, positions),
-        cyclic=conclude_cyclic(positions),
+        cyclic=stated.cyclic or conclude_cyclic(positions),
     )
     clip = Clip(
         skeleton,
         places,
         rotations,
-        rate.value,
+        conclusions.fps.value,
         cyclic=conclusions.cyclic.value,
-        name=_clip_name(path),
-        provenance=_provenance(path, conclusions, rig),
+        name=stated.name or _clip_name(path),
+        provenance=(*_provenance(path, conclusions, rig), *stated.notes),
     )
     return clip, conclusions
 
 
 def _conclude_up(
-    up: str | None,
-    body: Skeleton,
-    anatomy: Anatomy | str,
-    places: Positions,
-    rig: BvhRig,
-    path: Path,
+    body: Skeleton, anatomy: Anatomy | str, places: Positions, rig: BvhRig, path: Path
 ) -> Conclusion[str]:
-    if up is not None:
-        return Conclusion(up, f"{up}, as asked for")
     assert not isinstance(anatomy, str)
     return conclude_up(body, anatomy, places, rig.rotations, path)
 
@@ -148,13 +155,14 @@ def _found_anew(anatomy: Anatomy | str, skeleton: Skeleton) -> Anatomy | str:
 
 
 def _conclude_unit(
-    raw: Skeleton, anatomy: Anatomy | str, unit: Unit | None, path: Path
+    raw: Skeleton, anatomy: Anatomy | str, known: Conclusion[Unit] | None, path: Path
 ) -> Conclusion[Unit]:
     lengths = [] if isinstance(anatomy, str) else [leg_length(raw, leg) for leg in anatomy.legs]
     mean = sum(lengths) / max(len(lengths), 1)
-    if unit is not None:
+    if known is not None:
+        unit = known.value
         legs = f"; the legs are then {mean * unit.metres:.3f} m long" if lengths else ""
-        return Conclusion(unit, f"{unit.name}, as asked for{legs}")
+        return Conclusion(unit, f"{known.reason}{legs}")
     found = unit_of_leg(mean)
     if found is None:
         readings = ", ".join(f"{mean * known.metres:.3g} m in {known.name}" for known in UNITS)
@@ -207,7 +215,7 @@ def _provenance(path: Path, conclusions: Conclusions, rig: BvhRig) -> tuple[str,
 def _clip_name(path: Path) -> str:
     """Return a file's name without its folder and its suffixes."""
     name = path.name
-    for suffix in (".gz", ".bvh", ".npz"):
+    for suffix in (".gz", ".bvh", ".npz", ".glb", ".gltf", ".txt"):
         if name.lower().endswith(suffix):
             name = name[: -len(suffix)]
     return name or "clip"

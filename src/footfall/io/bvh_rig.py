@@ -65,7 +65,9 @@ def parse_bvh(data: bytes, path: Path) -> BvhRig:
     Raises:
         FileFormatError: If anything in it is not as BVH wants it.
     """
-    text = decoded(data).replace("\r\n", "\n").replace("\r", "\n")
+    text = decoded(data)
+    if "\r" in text:
+        text = text.replace("\r\n", "\n").replace("\r", "\n")
     lines = text.split("\n")
     while lines and not lines[-1].strip():
         lines.pop()

@@ -1,25 +1,15 @@
-"""Any file in and out: its suffix says how.
-
-A new form of file is one entry of a table here.
-"""
+"""Any file in and out: its suffix says how."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from pathlib import Path
 
 from footfall.errors import ArgumentError, FileFormatError
-from footfall.io.annotation import read_annotation, write_annotation
-from footfall.io.bvh import read_bvh, save_bvh
+from footfall.io.clip_choice import CHOOSING, split_choice
 from footfall.io.conclusions import Conclusions
-from footfall.io.fbx import read_fbx
-from footfall.io.gltf import save_gltf
-from footfall.io.label_table import phase_columns, supports_of
-from footfall.io.native import load_native, load_native_supports, save_native
-from footfall.io.stored_conclusions import conclude_stored
-from footfall.io.table_files import read_csv, read_parquet, write_csv, write_parquet
-from footfall.io.usd import read_usd
-from footfall.io.usd_writer import save_usd
+from footfall.io.motion_formats import BODY_READERS, READERS, WRITERS
+from footfall.io.support_formats import SUPPORT_READERS, SUPPORT_WRITERS
 from footfall.motion import Clip
 from footfall.support import SupportSequence
 
@@ -27,71 +17,18 @@ __all__ = [
     "load",
     "load_supports",
     "load_with_conclusions",
+    "readable_suffixes",
     "save",
     "save_supports",
+    "writable_suffixes",
 ]
-
-Reader = Callable[[Path, str | float | None, str | None, float | None], tuple[Clip, Conclusions]]
-Writer = Callable[[Clip, Path], None]
-
-
-def _read_bvh(
-    path: Path, unit: str | float | None, up: str | None, fps: float | None
-) -> tuple[Clip, Conclusions]:
-    return read_bvh(path, unit=unit, up=up, fps=fps)
-
-
-def _read_native(
-    path: Path, unit: str | float | None, up: str | None, fps: float | None
-) -> tuple[Clip, Conclusions]:
-    if not (unit is None and up is None and fps is None):
-        raise ArgumentError(
-            f"{path} knows its unit, upward axis and rate; unit=, up= and fps= are for other files"
-        )
-    clip = load_native(path)
-    return clip, conclude_stored(clip)
-
-
-def _read_fbx(
-    path: Path, unit: str | float | None, up: str | None, fps: float | None
-) -> tuple[Clip, Conclusions]:
-    return read_fbx(path, unit=unit, up=up, fps=fps)
-
-
-def _read_usd(
-    path: Path, unit: str | float | None, up: str | None, fps: float | None
-) -> tuple[Clip, Conclusions]:
-    return read_usd(path, unit=unit, up=up, fps=fps)
-
-
-READERS: dict[str, Reader] = {
-    ".bvh": _read_bvh,
-    ".bvh.gz": _read_bvh,
-    ".fbx": _read_fbx,
-    ".fbx.gz": _read_fbx,
-    ".npz": _read_native,
-    ".usd": _read_usd,
-    ".usda": _read_usd,
-    ".usdc": _read_usd,
-    ".usdz": _read_usd,
-}
-"""What reads a file, by its suffix in lower case."""
-
-WRITERS: dict[str, Writer] = {
-    ".bvh": save_bvh,
-    ".bvh.gz": save_bvh,
-    ".glb": save_gltf,
-    ".npz": save_native,
-    ".usd": save_usd,
-    ".usda": save_usd,
-    ".usdc": save_usd,
-}
-"""What writes a file, by its suffix in lower case."""
 
 
 def load(
     path: Path | str,
     *,
+    animation: str | int | None = None,
+    body: Path | str | None = None,
     unit: str | float | None = None,
     up: str | None = None,
     fps: float | None = None,
@@ -102,7 +39,11 @@ def load(
     whole.
 
     Args:
-        path: The file; its suffix says what it is.
+        path: The file; its suffix says what it is. Of a glTF file with several animations,
+            ``walk.glb#Walk_Loop`` names one.
+        animation: The same, by its name or its number from 0.
+        body: The file that holds the body's joints, where the motion's own file does not: a SMPL
+            model for AMASS, a character for DeepMimic.
         unit: Its unit of length, if known: m, foot, dm, cmu, inch, cm, mm, or metres.
         up: Its upward axis, if known: ``"y"`` or ``"z"``.
         fps: Its frame rate, if known better than the file knows it.
@@ -110,14 +51,18 @@ def load(
     Raises:
         FileFormatError: If the file is missing, of an unknown suffix, or breaks the rules of its
             format, or if its unit or upward axis can be neither found nor was given.
-        ArgumentError: If `unit`, `up` or `fps` is impossible, or not for this file.
+        UnknownNameError: If there is no such animation in it.
+        ArgumentError: If `animation`, `body`, `unit`, `up` or `fps` is impossible, or not for this
+            file.
     """
-    return load_with_conclusions(path, unit=unit, up=up, fps=fps)[0]
+    return load_with_conclusions(path, animation=animation, body=body, unit=unit, up=up, fps=fps)[0]
 
 
 def load_with_conclusions(
     path: Path | str,
     *,
+    animation: str | int | None = None,
+    body: Path | str | None = None,
     unit: str | float | None = None,
     up: str | None = None,
     fps: float | None = None,
@@ -127,8 +72,26 @@ def load_with_conclusions(
     Arguments and errors are those of `load`.
     """
     path = Path(path)
-    reader = READERS[_suffix(path, READERS, "read as a motion")]
-    return reader(path, unit, up, fps)
+    suffix = _suffix(split_choice(path)[0], READERS, "read as a motion")
+    if animation is not None:
+        if suffix not in CHOOSING:
+            raise ArgumentError(f"{path} holds one motion; animation= is for {', '.join(CHOOSING)}")
+        path = Path(f"{path}#{animation}")
+    if body is None:
+        return READERS[suffix](path, unit, up, fps)
+    if suffix not in BODY_READERS:
+        raise ArgumentError(f"{path} knows its body; body= is for motions of AMASS and DeepMimic")
+    return BODY_READERS[suffix](path, unit, up, fps, Path(body))
+
+
+def readable_suffixes() -> tuple[str, ...]:
+    """Return the suffixes of the files that a motion can be read from."""
+    return tuple(sorted(READERS))
+
+
+def writable_suffixes() -> tuple[str, ...]:
+    """Return the suffixes of the files that a motion can be written to."""
+    return tuple(sorted(WRITERS))
 
 
 def save(clip: Clip, path: Path | str) -> None:
@@ -155,13 +118,6 @@ def load_supports(path: Path | str) -> SupportSequence:
     return SUPPORT_READERS[_suffix(path, SUPPORT_READERS, "read as supports")](path)
 
 
-def _read_npz_supports(path: Path) -> SupportSequence:
-    supports = load_native_supports(path)
-    if supports is None:
-        raise FileFormatError("holds a motion without supports; detect them", path=path)
-    return supports
-
-
 def save_supports(sequence: SupportSequence, path: Path | str) -> None:
     """Write supports: ``.supports`` is text to be edited by hand, ``.csv`` and ``.parquet`` tables.
 
@@ -171,22 +127,6 @@ def save_supports(sequence: SupportSequence, path: Path | str) -> None:
     """
     path = Path(path)
     SUPPORT_WRITERS[_suffix(path, SUPPORT_WRITERS, "written as supports")](sequence, path)
-
-
-SUPPORT_READERS: dict[str, Callable[[Path], SupportSequence]] = {
-    ".csv": lambda path: supports_of(read_csv(path), path),
-    ".npz": _read_npz_supports,
-    ".parquet": lambda path: supports_of(read_parquet(path), path),
-    ".supports": read_annotation,
-}
-"""What reads supports, by the file's suffix in lower case."""
-
-SUPPORT_WRITERS: dict[str, Callable[[SupportSequence, Path], None]] = {
-    ".csv": lambda sequence, path: write_csv(phase_columns(sequence), path),
-    ".parquet": lambda sequence, path: write_parquet(phase_columns(sequence), path),
-    ".supports": write_annotation,
-}
-"""What writes supports, by the file's suffix in lower case."""
 
 
 def _suffix(path: Path, known: Iterable[str], what: str) -> str:

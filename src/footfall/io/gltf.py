@@ -12,6 +12,7 @@ from footfall.errors import SkeletonError
 from footfall.geometry import continuous
 from footfall.io.atomic import write_atomically
 from footfall.io.flat_toes import flat_toe_turns
+from footfall.io.gltf_animation import animation_record
 from footfall.io.gltf_buffers import ARRAY_BUFFER, ELEMENT_ARRAY_BUFFER, BufferBuilder, glb_bytes
 from footfall.io.mannequin import Mannequin, Tone, mannequin
 from footfall.motion import Clip
@@ -162,20 +163,7 @@ def _skin(skeleton: Skeleton, buffers: BufferBuilder) -> dict[str, Any]:
 
 
 def _animation(clip: Clip, supports: str | None, buffers: BufferBuilder) -> dict[str, Any]:
-    times = buffers.add(np.arange(clip.frames) / clip.fps, "f4", bounds=True)
-    rotations = np.roll(continuous(clip.local_rotations), -1, axis=-1)
-    outputs = [buffers.add(clip.pelvis_positions, "f4")]
-    outputs += [buffers.add(rotations[:, joint], "f4") for joint in range(clip.skeleton.count)]
-    targets = [{"node": 0, "path": "translation"}]
-    targets += [{"node": joint, "path": "rotation"} for joint in range(clip.skeleton.count)]
-    facts: dict[str, Any] = {"fps": clip.fps, "cyclic": clip.cyclic}
-    if supports is not None:
-        facts["supports"] = supports
-    return {
-        "name": clip.name,
-        "samplers": [
-            {"input": times, "output": output, "interpolation": "LINEAR"} for output in outputs
-        ],
-        "channels": [{"sampler": index, "target": each} for index, each in enumerate(targets)],
-        "extras": {"footfall": facts},
-    }
+    rotations = continuous(clip.local_rotations)
+    tracks = [(0, "translation", clip.pelvis_positions)]
+    tracks += [(joint, "rotation", rotations[:, joint]) for joint in range(clip.skeleton.count)]
+    return animation_record(clip, supports, tracks, buffers)

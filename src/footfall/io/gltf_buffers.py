@@ -45,15 +45,9 @@ class BufferBuilder:
             normalized: Whether integers stand for shares of their range.
         """
         stored = np.ascontiguousarray(array, dtype=f"<{kind}")
-        view: dict[str, Any] = {
-            "buffer": 0,
-            "byteOffset": len(self._data),
-            "byteLength": stored.nbytes,
-        }
-        if target is not None:
-            view["target"] = target
+        view = self.add_view(stored.tobytes(), **({} if target is None else {"target": target}))
         accessor: dict[str, Any] = {
-            "bufferView": len(self.views),
+            "bufferView": view,
             "componentType": _COMPONENTS[kind],
             "count": len(stored),
             "type": _SHAPES[stored.shape[1:]],
@@ -63,11 +57,17 @@ class BufferBuilder:
         if bounds:
             accessor["min"] = np.atleast_1d(stored.min(axis=0)).tolist()
             accessor["max"] = np.atleast_1d(stored.max(axis=0)).tolist()
-        self.views.append(view)
         self.accessors.append(accessor)
-        self._data += stored.tobytes()
-        self._data += bytes(-len(self._data) % 4)
         return len(self.accessors) - 1
+
+    def add_view(self, data: bytes, **facts: Any) -> int:
+        """Append bytes and return the index of their view; `facts` are said of it besides."""
+        self.views.append(
+            {"buffer": 0, "byteOffset": len(self._data), "byteLength": len(data), **facts}
+        )
+        self._data += data
+        self._data += bytes(-len(self._data) % 4)
+        return len(self.views) - 1
 
     @property
     def data(self) -> bytes:

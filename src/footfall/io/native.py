@@ -14,8 +14,6 @@ from __future__ import annotations
 
 import io
 import json
-import zipfile
-import zlib
 from pathlib import Path
 from typing import Any
 
@@ -23,7 +21,7 @@ import numpy as np
 
 from footfall.errors import ClipError, FileFormatError, SkeletonError, SupportSequenceError
 from footfall.io.atomic import write_atomically
-from footfall.io.raw_file import read_bytes
+from footfall.io.numpy_archive import read_archive
 from footfall.motion import Clip
 from footfall.skeleton import Skeleton
 from footfall.support import Support, SupportPhase, SupportSequence
@@ -141,26 +139,16 @@ def _texts(items: Any) -> list[str]:
 
 def _read(path: Path) -> tuple[dict[str, Any], dict[str, Any]]:
     """Return the checked header and the arrays."""
-    data = read_bytes(path)
+    stored = read_archive(path, ("header", *_ARRAYS))
+    if "header" not in stored:
+        raise FileFormatError("is no clip of this project: it has no header", path=path)
     try:
-        with np.load(io.BytesIO(data), allow_pickle=False) as stored:
-            if "header" not in stored:
-                raise FileFormatError("is no clip of this project: it has no header", path=path)
-            header: Any = json.loads(stored["header"].tobytes())
-            _check_header(header, path)
-            arrays = {name: _checked(name, stored[name]) for name in _ARRAYS}
+        header: Any = json.loads(stored["header"].tobytes())
+        _check_header(header, path)
+        arrays = {name: _checked(name, stored[name]) for name in _ARRAYS}
     except FileFormatError:
         raise
-    except (
-        OSError,
-        EOFError,
-        KeyError,
-        TypeError,
-        ValueError,
-        RuntimeError,
-        zipfile.BadZipFile,
-        zlib.error,
-    ) as error:
+    except (KeyError, TypeError, ValueError, RecursionError) as error:
         raise _damaged(path, error) from error
     return header, arrays
 

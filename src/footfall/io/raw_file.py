@@ -3,12 +3,20 @@
 from __future__ import annotations
 
 import gzip
+import io
 import zlib
 from pathlib import Path
 
 from footfall.errors import FileFormatError
 
-__all__ = ["decoded", "read_bytes"]
+__all__ = ["BOMB_RATIO", "BOMB_START", "decoded", "read_bytes"]
+
+BOMB_RATIO = 100
+"""Packed motions unpack to three to ten times their size, a body that stands still to fifty.
+What unpacks to more than this is made to fill the memory …"""
+
+BOMB_START = 2**22
+"""… unless it is no more than these bytes in all."""
 
 
 def read_bytes(path: Path) -> bytes:
@@ -31,8 +39,21 @@ def read_bytes(path: Path) -> bytes:
         raise FileFormatError(f"is no name of a file: {error}", path=path) from error
     if path.suffix.lower() != ".gz":
         return data
+    limit = BOMB_RATIO * len(data) + BOMB_START
     try:
-        return gzip.decompress(data)
+        with gzip.GzipFile(fileobj=io.BytesIO(data)) as packed:
+            content = packed.read(limit + 1)
+            if len(content) > limit:
+                raise FileFormatError(
+                    f"unpacks from {len(data)} to more than {limit} bytes, which no motion does; "
+                    "it is not read",
+                    path=path,
+                )
+            # Reading on to the end is what checks that the file is whole.
+            packed.read(1)
+            return content
+    except FileFormatError:
+        raise
     except (OSError, EOFError, zlib.error) as error:
         raise FileFormatError(
             "is not a whole gzip file; fetch it again, or unpack it first", path=path

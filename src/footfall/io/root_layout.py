@@ -12,7 +12,7 @@ from footfall.io.bvh_rig import BvhRig
 from footfall.io.conclusions import Conclusion
 from footfall.skeleton import Anatomy, Skeleton
 
-__all__ = ["fold_root", "rest_skeleton", "translation_of"]
+__all__ = ["depth_first", "fold_root", "rest_skeleton", "translation_of"]
 
 
 def translation_of(rig: BvhRig, joint: int) -> Positions:
@@ -29,6 +29,28 @@ def rest_skeleton(rig: BvhRig) -> Skeleton:
         offsets[joint] = np.median(places, axis=0)
     offsets[0] = 0.0
     return Skeleton(rig.names, rig.parents, offsets, rig.tips)
+
+
+def depth_first(rig: BvhRig) -> BvhRig:
+    """Return the rig with every joint's descendants right behind it, as skeletons have them."""
+    order: list[int] = []
+    waiting = [0]
+    while waiting:
+        joint = waiting.pop()
+        order.append(joint)
+        waiting += np.flatnonzero(rig.parents == joint)[::-1].tolist()
+    if order == list(range(len(order))):
+        return rig
+    place = {joint: index for index, joint in enumerate(order)}
+    return replace(
+        rig,
+        names=tuple(rig.names[joint] for joint in order),
+        parents=np.array([place.get(int(rig.parents[joint]), -1) for joint in order]),
+        offsets=rig.offsets[order],
+        tips=rig.tips[order],
+        rotations=rig.rotations[:, order],
+        translations={place[joint]: places for joint, places in rig.translations.items()},
+    )
 
 
 def fold_root(rig: BvhRig, anatomy: Anatomy | None) -> tuple[BvhRig, Conclusion[str]]:

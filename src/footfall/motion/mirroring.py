@@ -60,7 +60,7 @@ def _mirrored_rotations(clip: Clip, partners: Indices, reflections: Floats) -> R
     """
     rotations, _ = clip.world_poses()
     half_turn = np.array([0.0, 1.0, 0.0, 0.0])
-    frames = np.stack([from_matrix(-reflection) for reflection in reflections])
+    frames = from_matrix(-reflections)
     world = multiply(multiply(half_turn, rotations[:, partners]), frames)
     local = world.copy()
     parents = clip.skeleton.parents

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 from pathlib import Path
 
 from footfall.detection import clean, detect_supports
 from footfall.errors import FileFormatError, FootfallError, ScenarioError
-from footfall.io import load, load_native_supports, load_supports
+from footfall.io import load, load_native_supports, load_supports, split_choice
+from footfall.io.amass import is_amass
 from footfall.motion import Clip, with_soles
 from footfall.motion.cycle_closing import close_cycle, cut_cycle
 from footfall.motion.editing import crop
@@ -45,10 +47,16 @@ class Motion:
 
 
 def supports_path(path: Path) -> Path:
-    """Return where the supports of a motion file stand: its name with ``.supports``."""
+    """Return where the supports of a motion file stand: its name with ``.supports``.
+
+    Those of one clip of several have its name too: ``walk.Walk_Loop.supports``.
+    """
+    path, choice = split_choice(path)
     name = path.name
     for suffix in (".gz", path.with_suffix("").suffix if name.endswith(".gz") else path.suffix):
         name = name.removesuffix(suffix) if suffix else name
+    if choice is not None:
+        name += "." + re.sub(r"[^\w.-]+", "_", choice)
     return path.with_name(f"{name}.supports")
 
 
@@ -58,10 +66,12 @@ def supports_beside(path: Path) -> SupportSequence | None:
     Raises:
         FileFormatError: If they cannot be read.
     """
-    for place in (supports_path(path), path.with_name(f"{path.name}.supports")):
+    file, _ = split_choice(path)
+    for place in (supports_path(path), file.with_name(f"{file.name}.supports")):
         if place.exists():
             return load_supports(place)
-    return load_native_supports(path) if path.suffix == ".npz" else None
+    stored = path.suffix == ".npz" and not is_amass(path)
+    return load_native_supports(path) if stored else None
 
 
 def load_motion(name: str, folder: Path, fps: float = 60.0) -> tuple[Clip, SupportSequence | None]:
