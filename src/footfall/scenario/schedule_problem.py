@@ -67,6 +67,7 @@ def solve(problem: ScheduleProblem) -> dict[str, Any]:
     window.weight[:] = problem.priorities
     started = np.full(count, ABSENT, dtype=np.int64)
     own = np.empty((count, problem.slots), dtype=np.int64)
+    muted = np.zeros((count, problem.slots), dtype=np.bool_)
     results = np.empty(problem.slots, dtype=np.int64)
     durations = np.empty(problem.slots)
     played = play_commands(
@@ -77,6 +78,7 @@ def solve(problem: ScheduleProblem) -> dict[str, Any]:
         np.array(problem.start, dtype=np.int64),
         started,
         own,
+        muted,
         results,
         durations,
         np.empty(count),
@@ -91,7 +93,7 @@ def solve(problem: ScheduleProblem) -> dict[str, Any]:
         "rows": rows,
         "started": [None if slot == ABSENT else slot for slot in started.tolist()],
         "durations": _seconds(durations[:played]) if timed else None,
-        "muted": None,
+        "muted": muted[:, :played].tolist() if muted[:, :played].any() else None,
         "error": _failure(problem, rows) if failed else None,
     }
 

@@ -12,13 +12,15 @@ builds a `Window` from the rows of its own arrays, without a copy.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Literal, NamedTuple
+from typing import Any, Literal, NamedTuple
 
 import numpy as np
+import numpy.typing as npt
 
 from footfall.arrays import Flags, Floats, Indices, Seconds, Supports, Weights
 from footfall.errors import ArgumentError, SupportSequenceError
 from footfall.support import Support, SupportSequence
+from footfall.sync.search_memory import new_search_memory
 
 __all__ = [
     "ABSENT",
@@ -76,17 +78,24 @@ class SequenceTable(NamedTuple):
     durations: Seconds
     """How long they last at their clip's own speed, plain numbers > 0, shape (phases,)."""
 
+    whole: int
+    """The support that gives way to every other one: all limbs that any of them knows."""
+
     @classmethod
     def of(cls, sequences: Sequence[SupportSequence]) -> SequenceTable:
         """Pack some sequences, in their order."""
         counts = np.array([len(one.phases) for one in sequences], dtype=np.int64)
         phases = [phase for one in sequences for phase in one.phases]
+        whole = int(Support.DOUBLE)
+        for phase in phases:
+            whole |= int(phase.support)
         return cls(
             first=np.cumsum(counts) - counts,
             phase_count=counts,
             cyclic=np.array([one.cyclic for one in sequences], dtype=np.bool_),
             supports=np.array([int(phase.support) for phase in phases], dtype=np.int64),
             durations=np.array([phase.duration for phase in phases], dtype=np.float64),
+            whole=whole,
         )
 
 
@@ -106,12 +115,19 @@ class Window(NamedTuple):
     """The order of activation, smaller = older, which settles equal priorities, shape (seats,)."""
 
     weight: Weights
-    """Its weight on the legs, >= 0, of any common scale, shape (seats,). Only the cost of an
-    entry reads it."""
+    """Its weight on the legs that is to come, >= 0, of any common scale, shape (seats,). Only the
+    default planner reads it."""
 
     remaining: Seconds
     """What is left of its phase of column 0 at the clip's own speed, shape (seats,). Only the
-    cost of an entry reads it."""
+    default planner reads it."""
+
+    held: Indices
+    """For how many columns it has been held, or muted, shape (seats,)."""
+
+    muted: Flags
+    """Whether it plays beside the schedule, at its own speed and without leg weight, because
+    no room can be made for it (S-19), shape (seats,)."""
 
     phases: Indices
     """Absolute phase index per column, shape (seats, lookahead + 2). A cyclic action keeps
@@ -121,6 +137,23 @@ class Window(NamedTuple):
     results: Supports
     """The combined support of each column, shape (lookahead + 2,); CONFLICT where the rule
     failed."""
+
+    durations: Seconds
+    """How long the default planner lets each column last, shape (lookahead + 2,); the first from
+    the moment of planning on, 0 where nobody is left who could go on."""
+
+    pace: Floats
+    """Clip time per clock time that it gives each action in columns 0 and 1, shape (seats, 2)."""
+
+    offset: Seconds
+    """By how much it lets column 0 last longer than the weighted mean of those who go on at its
+    end, shape (1,)."""
+
+    steady: Seconds
+    """For how long the result of column 0 had lasted when that began, shape (1,)."""
+
+    search: npt.NDArray[Any]
+    """Working memory of the default planner: one `SearchMemory`; may be shared likewise."""
 
     spare_phases: Indices
     """Working memory of the shape of `phases`; may be shared by characters of one thread."""
@@ -147,8 +180,15 @@ class Window(NamedTuple):
             age=np.zeros(seats, dtype=np.int64),
             weight=np.zeros(seats, dtype=np.float64),
             remaining=np.zeros(seats, dtype=np.float64),
+            held=np.zeros(seats, dtype=np.int64),
+            muted=np.zeros(seats, dtype=np.bool_),
             phases=np.full((seats, columns), ABSENT, dtype=np.int64),
             results=np.full(columns, int(Support.DOUBLE), dtype=np.int64),
+            durations=np.zeros(columns, dtype=np.float64),
+            pace=np.ones((seats, 2), dtype=np.float64),
+            offset=np.zeros(1, dtype=np.float64),
+            steady=np.zeros(1, dtype=np.float64),
+            search=new_search_memory(),
             spare_phases=np.full((seats, columns), ABSENT, dtype=np.int64),
             spare_results=np.full(columns, int(Support.DOUBLE), dtype=np.int64),
         )
@@ -187,6 +227,13 @@ class Rules(NamedTuple):
     falls_back: bool
     """Whether Appendix A is used where the priority rule failed."""
 
+    most_held: int
+    """For how many columns the default planner may hold an action before it is muted (S-19)."""
+
+
+MOST_HELD = 3
+"""For how many columns in a row an action is made to wait at most."""
+
 
 def rules_of(
     planner: Planner,
@@ -217,7 +264,7 @@ def rules_of(
                 'the start policy "native", the end "repeat" and the fallback belong to the '
                 'planner "paper"; the planner is "footfall"'
             )
-        return Rules(ENDED_NEUTRAL, True, True, True, True, True, False)
+        return Rules(ENDED_NEUTRAL, True, True, True, True, True, False, MOST_HELD)
     if planner != "paper":
         raise ArgumentError(f'no planner {planner!r}; there are "footfall" and "paper"')
     if start_policy not in ("extend", "native"):
@@ -225,7 +272,7 @@ def rules_of(
     if ended not in (None, "repeat", "stop"):
         raise ArgumentError(f'{ended!r} is no end of the planner "paper"; "repeat" or "stop" is')
     end = ENDED_STOPS if ended == "stop" else ENDED_REPEATS
-    return Rules(end, False, start_policy == "extend", False, False, False, falls_back)
+    return Rules(end, False, start_policy == "extend", False, False, False, falls_back, 0)
 
 
 def check_registration(sequence: SupportSequence) -> None:
