@@ -30,7 +30,7 @@ GREATEST_RATE = 2.5
 LEAST_RATE = 0.4
 """Nor slower than this."""
 
-DISAGREEMENT_PRICE = 4.0
+DISAGREEMENT_PRICE = 4.7
 """A second in which one foot is planted by half of the weight."""
 
 FLIGHT_PRICE = 2.0
