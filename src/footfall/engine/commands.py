@@ -7,16 +7,18 @@ from typing import Any
 import numpy.typing as npt
 
 from footfall.compilation import inner_kernel, kernel
+from footfall.engine.planning import replan
 from footfall.engine.record import SEATS, Character
 from footfall.engine.shelf import Shelf
 from footfall.engine.slots import begin_leaving
 from footfall.engine.starting import NONE, enter_action
 from footfall.engine.state import EMPTY, RUNNING, WAITING
 from footfall.skeleton import BodyPart
+from footfall.sync.search_memory import SearchMemories
 from footfall.sync.tables import Rules
 from footfall.timing import reverse_fade
 
-__all__ = ["NO_SEAT", "STARTED", "WAITS", "start_row", "stop_row"]
+__all__ = ["NO_SEAT", "STARTED", "WAITS", "replan_row", "start_row", "stop_row"]
 
 LEGS = int(BodyPart.LEGS)
 PARTS = len(BodyPart)
@@ -27,11 +29,28 @@ NO_SEAT, WAITS, STARTED = -1, 0, 1
 
 @kernel
 def start_row(
-    shelf: Shelf, characters: npt.NDArray[Any], rules: Rules, row: int, action: int
+    shelf: Shelf,
+    characters: npt.NDArray[Any],
+    search: SearchMemories,
+    rules: Rules,
+    row: int,
+    action: int,
+    patience: float,
+    late: int,
 ) -> int:
     """Start an action of one character, or seat it to wait for its moment.
 
     A running one goes on; one that fades out rises again, unless its clip is over (S-14).
+
+    Args:
+        shelf: The library.
+        characters: Records of `character_type`, shape (rows,).
+        search: Working memory of the planner.
+        rules: The rules of the planner.
+        row: Which character.
+        action: Which action of the library.
+        patience: How long the start waits at most [s], >= 0.
+        late: What becomes of it then: `GIVES_UP` or `STARTS_MUTED`.
 
     Returns:
         `STARTED`, `WAITS`, or `NO_SEAT` where every seat is taken.
@@ -44,12 +63,15 @@ def start_row(
             free = seat if free < 0 else free
         elif me.action[seat] == action:
             if status == WAITING:
+                me.patience[seat] = me.clock + patience
+                me.late[seat] = late
                 return WAITS
             if status == RUNNING:
                 return STARTED
             over = me.clip_time[seat] >= shelf.entries[action].duration
             if shelf.entries[action].cyclic or not over:
                 _rise_again(shelf, me, seat)
+                replan(shelf, me, search, rules)
                 return STARTED
     if free < 0:
         return NO_SEAT
@@ -63,7 +85,9 @@ def start_row(
     me.fade_elapsed[free, 0] = me.fade_elapsed[free, 1] = 0.0
     me.playing[free] = False
     me.status[free] = WAITING
-    if enter_action(shelf, me, rules, free):
+    me.patience[free] = me.clock + patience
+    me.late[free] = late
+    if enter_action(shelf, me, search, rules, free):
         return STARTED
     return WAITS
 
@@ -80,9 +104,26 @@ def _rise_again(shelf: Shelf, me: Character, seat: int) -> None:
 
 
 @kernel
-def stop_row(shelf: Shelf, characters: npt.NDArray[Any], row: int, action: int) -> None:
+def stop_row(
+    shelf: Shelf,
+    characters: npt.NDArray[Any],
+    search: SearchMemories,
+    rules: Rules,
+    row: int,
+    action: int,
+) -> None:
     """Stop an action of one character: fade it out, or give up its wait."""
     me: Character = characters[row]
     for seat in range(SEATS):
         if me.status[seat] != EMPTY and me.action[seat] == action:
             begin_leaving(shelf, me, seat)
+            replan(shelf, me, search, rules)
+
+
+@kernel
+def replan_row(
+    shelf: Shelf, characters: npt.NDArray[Any], search: SearchMemories, rules: Rules, row: int
+) -> None:
+    """Let one character's planner take note of a change of priorities."""
+    me: Character = characters[row]
+    replan(shelf, me, search, rules)

@@ -2,25 +2,31 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 import numpy.typing as npt
 
 from footfall.adaptation import Plane
 from footfall.arrays import Indices, Positions, Rotations, Supports
-from footfall.engine.commands import NO_SEAT, start_row, stop_row
+from footfall.engine.commands import NO_SEAT, replan_row, start_row, stop_row
 from footfall.engine.library import MotionLibrary
 from footfall.engine.pipeline import advance_rows
 from footfall.engine.priorities import parse_priority
 from footfall.engine.record import SEATS
-from footfall.engine.state import EMPTY, new_characters, new_workspace
+from footfall.engine.state import EMPTY, GIVES_UP, STARTS_MUTED, new_characters, new_workspace
 from footfall.errors import ArgumentError, SkeletonError
 from footfall.skeleton import Skeleton
 from footfall.sync.tables import Planner, rules_of
 
-__all__ = ["Crowd"]
+__all__ = ["Crowd", "Late"]
+
+LATE = {"give up": GIVES_UP, "mute": STARTS_MUTED}
+
+Late = Literal["give up", "mute"]
+"""What becomes of a start that has waited too long."""
 
 Rows = Sequence[int] | npt.NDArray[Any] | None
 
@@ -115,26 +121,49 @@ class Crowd:
         self._refresh()
         return action
 
-    def start(self, action: int, rows: Rows = None) -> npt.NDArray[np.bool_]:
+    def start(
+        self,
+        action: int,
+        rows: Rows = None,
+        *,
+        patience: float = math.inf,
+        late: Late = "give up",
+    ) -> npt.NDArray[np.bool_]:
         """Start an action, or let it wait for its moment.
 
         Args:
             action: Its id in the library.
             rows: Which characters: row numbers, a mask, or None for all.
+            patience: How long it waits at most [s], >= 0; for ever by default.
+            late: What becomes of a start that has waited so long: "give up", or "mute" to play
+                it at once without its legs, which rejoin as soon as there is room.
 
         Returns:
             Whether it runs now, for each of the rows; where not, it waits and starts as soon
             as it can be synchronized.
 
         Raises:
-            ArgumentError: If the action or a row does not exist, or a character already has
-                its hands full.
+            ArgumentError: If the action or a row does not exist, a character already has its
+                hands full, or the patience or what comes after it is none.
         """
+        if not patience >= 0.0:
+            raise ArgumentError(f"a patience of {patience} s; it must be at least 0")
+        if late not in LATE:
+            raise ArgumentError(f'late is {late!r}; it must be "give up" or "mute"')
         action = self._check_action(action)
         chosen = self._check_rows(rows)
         started = np.zeros(len(chosen), dtype=np.bool_)
         for place, row in enumerate(chosen):
-            code = start_row(self._shelf, self._characters, self._rules, int(row), action)
+            code = start_row(
+                self._shelf,
+                self._characters,
+                self._work.search,
+                self._rules,
+                int(row),
+                action,
+                float(patience),
+                LATE[late],
+            )
             if code == NO_SEAT:
                 raise ArgumentError(
                     f"character {row} already has {SEATS} actions running, waiting or fading; "
@@ -155,7 +184,14 @@ class Crowd:
         """
         action = self._check_action(action)
         for row in self._check_rows(rows):
-            stop_row(self._shelf, self._characters, int(row), action)
+            stop_row(
+                self._shelf,
+                self._characters,
+                self._work.search,
+                self._rules,
+                int(row),
+                action,
+            )
 
     def set_priority(
         self, action: int, priority: float | Mapping[str, float], rows: Rows = None
@@ -179,6 +215,9 @@ class Crowd:
             )
             self._characters["priorities"][row, seats] = values
             self._characters["priority"][row, seats] = values[0]
+            replan_row(
+                self._shelf, self._characters, self._work.search, self._rules, int(row)
+            )
 
     def place(
         self, position: npt.ArrayLike, heading: npt.ArrayLike = 0.0, rows: Rows = None

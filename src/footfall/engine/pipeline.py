@@ -35,7 +35,7 @@ def _advance_row(
 ) -> None:
     """Advance one character by `dt` seconds, at most `LONGEST_STEP`."""
     # 1-3. Which phases are played together, how long they last, what time it is in each clip.
-    pass_time(shelf, me, rules, dt)
+    pass_time(shelf, me, work.search, rules, dt)
     # 4. The pose of each clip at that time, and their weighted mean, free of any body.
     blend_poses(shelf, rig, me, work)
     # 5. The feet of that mean; where nothing plays they stand where they were planted.

@@ -13,7 +13,10 @@ import numpy.typing as npt
 
 from footfall.arrays import Floats, Indices, Seconds, Supports, Weights
 
-__all__ = ["DEEPEST", "LANES", "NODES", "SearchMemory", "new_search_memory"]
+__all__ = ["DEEPEST", "LANES", "NODES", "SearchMemories", "SearchMemory", "new_search_memory"]
+
+SearchMemories = npt.NDArray[Any]
+"""An array of one `SearchMemory`."""
 
 LANES = 8
 """How many actions are searched over at most; those of the least priority beyond it are muted."""
@@ -147,6 +150,6 @@ _TYPE = np.dtype(
 )
 
 
-def new_search_memory() -> npt.NDArray[Any]:
+def new_search_memory() -> SearchMemories:
     """Return the working memory of one thread: an array of one `SearchMemory`."""
     return np.zeros(1, dtype=_TYPE)
