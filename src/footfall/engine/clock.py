@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 
-from footfall.compilation import inner_kernel
+from footfall.compilation import inlined_kernel, inner_kernel
 from footfall.engine.durations import rebuild_warps, update_weights
 from footfall.engine.record import SEATS, Character
 from footfall.engine.shelf import Shelf, support_at
@@ -183,7 +183,7 @@ def _fade_pace(me: Character, step: float) -> float:
     return pace * pace * (3.0 - 2.0 * pace)
 
 
-@inner_kernel
+@inlined_kernel
 def _settle(shelf: Shelf, me: Character, search: SearchMemories, rules: Rules) -> None:
     """Let go what has faded out beside the schedule, and say what carries the body."""
     standing = True

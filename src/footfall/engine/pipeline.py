@@ -12,7 +12,7 @@ from typing import Any
 import numpy.typing as npt
 
 from footfall.arrays import Positions, Rotations
-from footfall.compilation import inner_kernel, kernel
+from footfall.compilation import inlined_kernel, kernel
 from footfall.engine.clock import pass_time
 from footfall.engine.feet import locate_feet, stand_where_planted
 from footfall.engine.placing import keep_footprints, place_body, write_world
@@ -29,7 +29,7 @@ LONGEST_STEP = 1.0 / 30.0
 """Longest time between two poses [s]; a longer advance is cut into equal steps."""
 
 
-@inner_kernel
+@inlined_kernel
 def _advance_row(
     shelf: Shelf, rig: Rig, me: Character, work: Workspace, rules: Rules, dt: float
 ) -> None:

@@ -6,7 +6,7 @@ from typing import cast
 
 import numpy as np
 
-from footfall.compilation import inner_kernel
+from footfall.compilation import inlined_kernel, inner_kernel
 from footfall.engine.planning import follow_plan, measure_remaining, window_of
 from footfall.engine.record import SEATS, Character
 from footfall.engine.shelf import Shelf
@@ -47,7 +47,7 @@ def begin_leaving(shelf: Shelf, me: Character, seat: int) -> None:
         me.fade_elapsed[seat, group] = elapsed
 
 
-@inner_kernel
+@inlined_kernel
 def enter_slot(shelf: Shelf, me: Character, search: SearchMemories, rules: Rules) -> None:
     """Enter the next slot: let go who has faded out, synchronize one more column."""
     window = window_of(me, search)

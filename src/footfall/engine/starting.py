@@ -6,7 +6,7 @@ from typing import cast
 
 import numpy as np
 
-from footfall.compilation import inner_kernel
+from footfall.compilation import inlined_kernel, inner_kernel
 from footfall.engine.durations import rebuild_warps, set_target, update_weights
 from footfall.engine.planning import follow_plan, measure_remaining, window_of
 from footfall.engine.record import SEATS, Character
@@ -96,7 +96,7 @@ def _begin(shelf: Shelf, me: Character, rules: Rules, seat: int) -> None:
         rebuild_warps(shelf, me)
 
 
-@inner_kernel
+@inlined_kernel
 def _synchronize(
     shelf: Shelf, me: Character, search: SearchMemories, rules: Rules, seat: int
 ) -> bool:

@@ -18,7 +18,7 @@ from typing import cast
 
 import numpy as np
 
-from footfall.compilation import inner_kernel, kernel
+from footfall.compilation import inlined_kernel, inner_kernel, kernel
 from footfall.sync import paper
 from footfall.sync.columns import combine_column, recombine
 from footfall.sync.look_ahead import choose_path, first_blocked, gather_lanes, plant_root
@@ -264,7 +264,7 @@ def _first_muted(window: Window, waited: int) -> int:
     return found
 
 
-@inner_kernel
+@inlined_kernel
 def _let_one_rejoin(table: SequenceTable, window: Window, rules: Rules) -> None:
     """Take back the first of the muted, if it has rested and nobody would be muted for it."""
     seat = _first_muted(window, rules.most_held)
