@@ -10,6 +10,7 @@ import math
 
 from footfall.compilation import inlined_kernel, inner_kernel
 from footfall.engine.durations import rebuild_warps, update_weights
+from footfall.engine.planning import replan
 from footfall.engine.record import SEATS, Character
 from footfall.engine.shelf import Shelf, support_at
 from footfall.engine.slots import begin_leaving, enter_slot
@@ -42,6 +43,8 @@ def pass_time(
     shelf: Shelf, me: Character, search: SearchMemories, rules: Rules, dt: float
 ) -> None:
     """Let `dt` seconds pass on one character's clocks."""
+    if me.unsettled:
+        replan(shelf, me, search, rules)
     end = me.clock + dt
     while True:
         moving = _weights_move(me)

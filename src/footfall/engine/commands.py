@@ -7,7 +7,6 @@ from typing import Any
 import numpy.typing as npt
 
 from footfall.compilation import inner_kernel, kernel
-from footfall.engine.planning import replan
 from footfall.engine.record import SEATS, Character
 from footfall.engine.shelf import Shelf
 from footfall.engine.slots import begin_leaving
@@ -18,7 +17,7 @@ from footfall.sync.search_memory import SearchMemories
 from footfall.sync.tables import Rules
 from footfall.timing import reverse_fade
 
-__all__ = ["NO_SEAT", "STARTED", "WAITS", "replan_row", "start_row", "stop_row"]
+__all__ = ["NO_SEAT", "STARTED", "WAITS", "start_row", "stop_row"]
 
 LEGS = int(BodyPart.LEGS)
 PARTS = len(BodyPart)
@@ -71,7 +70,7 @@ def start_row(
             over = me.clip_time[seat] >= shelf.entries[action].duration
             if shelf.entries[action].cyclic or not over:
                 _rise_again(shelf, me, seat)
-                replan(shelf, me, search, rules)
+                me.unsettled = True
                 return STARTED
     if free < 0:
         return NO_SEAT
@@ -104,26 +103,10 @@ def _rise_again(shelf: Shelf, me: Character, seat: int) -> None:
 
 
 @kernel
-def stop_row(
-    shelf: Shelf,
-    characters: npt.NDArray[Any],
-    search: SearchMemories,
-    rules: Rules,
-    row: int,
-    action: int,
-) -> None:
+def stop_row(shelf: Shelf, characters: npt.NDArray[Any], row: int, action: int) -> None:
     """Stop an action of one character: fade it out, or give up its wait."""
     me: Character = characters[row]
     for seat in range(SEATS):
         if me.status[seat] != EMPTY and me.action[seat] == action:
             begin_leaving(shelf, me, seat)
-            replan(shelf, me, search, rules)
-
-
-@kernel
-def replan_row(
-    shelf: Shelf, characters: npt.NDArray[Any], search: SearchMemories, rules: Rules, row: int
-) -> None:
-    """Let one character's planner take note of a change of priorities."""
-    me: Character = characters[row]
-    replan(shelf, me, search, rules)
+            me.unsettled = True

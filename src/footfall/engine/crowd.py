@@ -11,7 +11,7 @@ import numpy.typing as npt
 
 from footfall.adaptation import Plane
 from footfall.arrays import Indices, Positions, Rotations, Supports
-from footfall.engine.commands import NO_SEAT, replan_row, start_row, stop_row
+from footfall.engine.commands import NO_SEAT, start_row, stop_row
 from footfall.engine.library import MotionLibrary
 from footfall.engine.pipeline import advance_rows
 from footfall.engine.priorities import parse_priority
@@ -184,14 +184,7 @@ class Crowd:
         """
         action = self._check_action(action)
         for row in self._check_rows(rows):
-            stop_row(
-                self._shelf,
-                self._characters,
-                self._work.search,
-                self._rules,
-                int(row),
-                action,
-            )
+            stop_row(self._shelf, self._characters, int(row), action)
 
     def set_priority(
         self, action: int, priority: float | Mapping[str, float], rows: Rows = None
@@ -215,9 +208,7 @@ class Crowd:
             )
             self._characters["priorities"][row, seats] = values
             self._characters["priority"][row, seats] = values[0]
-            replan_row(
-                self._shelf, self._characters, self._work.search, self._rules, int(row)
-            )
+            self._characters["unsettled"][row] = True
 
     def place(
         self, position: npt.ArrayLike, heading: npt.ArrayLike = 0.0, rows: Rows = None

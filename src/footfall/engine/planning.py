@@ -6,12 +6,12 @@ from typing import cast
 
 import numpy as np
 
-from footfall.compilation import inner_kernel
+from footfall.compilation import inlined_kernel, inner_kernel
 from footfall.engine.durations import rebuild_warps, set_target, update_weights
 from footfall.engine.record import SEATS, Character
 from footfall.engine.shelf import Shelf, phase_end
 from footfall.sync.columns import has_ended
-from footfall.sync.planner import reconsider
+from footfall.sync.planner import plan
 from footfall.sync.search_memory import SearchMemories
 from footfall.sync.tables import Rules, Window
 
@@ -86,11 +86,12 @@ def follow_plan(shelf: Shelf, me: Character) -> None:
     rebuild_warps(shelf, me)
 
 
-@inner_kernel
+@inlined_kernel
 def replan(shelf: Shelf, me: Character, search: SearchMemories, rules: Rules) -> None:
     """Decide anew after a stop or a change of priority; in paper mode all stays as decided."""
+    me.unsettled = False
     update_weights(me)
     if rules.replans and me.synchronized and me.slot_progress < 1.0:
         measure_remaining(shelf, me, PRESENT)
-        reconsider(shelf.table, window_of(me, search), rules)
+        plan(shelf.table, window_of(me, search), rules)
         follow_plan(shelf, me)

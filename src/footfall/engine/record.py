@@ -57,6 +57,9 @@ class Character:
     slot_duration: float
     """How long the slot lasts at the present weights; 0 where nothing is synchronized."""
 
+    unsettled: bool
+    """Whether a stop or a change of priority calls for a new plan."""
+
     status: Annotated[Indices, SEATS]
     """`EMPTY`, `WAITING`, `RUNNING` or `LEAVING`, shape (seats,)."""
 

@@ -13,8 +13,8 @@ from footfall.engine.shelf import Shelf
 from footfall.engine.starting import retry_waiting
 from footfall.engine.state import EMPTY, LEAVING, RUNNING, WAITING
 from footfall.skeleton import BodyPart
-from footfall.sync.columns import has_ended
-from footfall.sync.planner import enter_next_slot, release_action
+from footfall.sync.columns import has_ended, recombine
+from footfall.sync.planner import plan_next_slot
 from footfall.sync.search_memory import SearchMemories
 from footfall.sync.shares import finish_slot
 from footfall.sync.tables import Rules
@@ -54,14 +54,13 @@ def enter_slot(shelf: Shelf, me: Character, search: SearchMemories, rules: Rules
     finish_slot(shelf.table, window)
     for seat in range(SEATS):
         if me.playing[seat] and _is_gone(me, rules, seat):
-            if rules.replans:
-                me.playing[seat] = False
-            else:
-                release_action(shelf.table, window, rules, seat)
+            me.playing[seat] = False
+            if not rules.replans:
+                recombine(shelf.table, window, rules)
             if me.fade_progress[seat, 0] >= 1.0 and me.fade_progress[seat, 1] >= 1.0:
                 me.status[seat] = EMPTY
     measure_remaining(shelf, me, NEXT)
-    enter_next_slot(shelf.table, window, rules)
+    plan_next_slot(shelf.table, window, rules)
     me.slot_index += 1
     me.slot_progress = 0.0
     for seat in range(SEATS):

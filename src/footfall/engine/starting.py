@@ -13,7 +13,7 @@ from footfall.engine.record import SEATS, Character
 from footfall.engine.shelf import Shelf, key_at, phase_end, phase_start, read_points
 from footfall.engine.state import RUNNING, WAITING
 from footfall.skeleton import BodyPart
-from footfall.sync.planner import REFUSED, start_action
+from footfall.sync.planner import REFUSED, plan_start
 from footfall.sync.search_memory import SearchMemories
 from footfall.sync.tables import Rules
 
@@ -117,7 +117,7 @@ def _synchronize(
     elapsed = me.slot_progress
     update_weights(me)
     measure_remaining(shelf, me, PRESENT)
-    phase = start_action(shelf.table, window_of(me, search), rules, seat, elapsed)
+    phase = plan_start(shelf.table, window_of(me, search), rules, seat, elapsed)
     if phase == REFUSED:
         return False
     begin = phase_start(entry, shelf.phase_starts, phase)

@@ -14,7 +14,7 @@ import numpy as np
 from footfall.arrays import Flags, Floats, Indices, Seconds
 from footfall.support import Support, SupportSequence
 from footfall.sync.columns import combine_column
-from footfall.sync.planner import enter_next_slot, plan
+from footfall.sync.events import enter_next_slot, reconsider
 from footfall.sync.paper import synchronize_column
 from footfall.sync.shares import natural_duration, spend_slot
 from footfall.sync.tables import Planner, Rules, SequenceTable, Window, rules_of
@@ -158,7 +158,7 @@ def _begin(
     window.remaining[:] = (one.phases[phase].duration, other.phases[0].duration)
     combine_column(table, window, rules, 0)
     if rules.replans:
-        plan(table, window, rules)
+        reconsider(table, window, rules)
     else:
         for column in range(1, window.lookahead + 1):
             synchronize_column(table, window, rules, column)

@@ -8,7 +8,8 @@ from footfall.arrays import Flags, Indices, Seconds, Supports, Weights
 from footfall.compilation import kernel
 from footfall.support import Support
 from footfall.sync.columns import own_phase
-from footfall.sync.planner import REFUSED, enter_next_slot, release_action, start_action
+from footfall.sync.events import enter_next_slot, release_action, start_action
+from footfall.sync.planner import REFUSED
 from footfall.sync.shares import natural_duration, spend_slot
 from footfall.sync.tables import ABSENT, Rules, SequenceTable, Window
 from footfall.timing.weights import slot_duration

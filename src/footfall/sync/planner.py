@@ -7,8 +7,7 @@ action in order of priority that finds no room is *muted* (S-19): it plays on be
 at its own speed, without a vote and without leg weight, until there is room for it again. The
 first of all always finds room, so a schedule never fails and nobody waits for ever.
 
-Everything but the slot being played is decided anew at each event: `enter_next_slot`,
-`start_action`, `release_action`, `reconsider`. In paper mode these follow `footfall.sync.paper`.
+Everything but the slot being played is decided anew at each event (`footfall.sync.events`).
 """
 
 from __future__ import annotations
@@ -18,9 +17,9 @@ from typing import cast
 
 import numpy as np
 
-from footfall.compilation import inlined_kernel, inner_kernel, kernel
+from footfall.compilation import inlined_kernel, inner_kernel
 from footfall.sync import paper
-from footfall.sync.columns import combine_column, recombine
+from footfall.sync.columns import combine_column
 from footfall.sync.look_ahead import choose_path, first_blocked, gather_lanes, plant_root
 from footfall.sync.path import write_path
 from footfall.sync.prices import TIME_VALUE
@@ -34,16 +33,14 @@ __all__ = [
     "NO_ROOM",
     "ON_THE_OTHER_FOOT",
     "REFUSED",
-    "enter_next_slot",
     "plan",
-    "reconsider",
-    "release_action",
-    "start_action",
+    "plan_next_slot",
+    "plan_start",
     "weigh_entry",
 ]
 
 REFUSED = -1
-"""What `start_action` returns where no entry can be synchronized."""
+"""What `plan_start` returns where no entry can be synchronized."""
 
 ENTERS, ON_THE_OTHER_FOOT, NO_ROOM, NEVER_LANDS = 0, 1, 2, 3
 """What `weigh_entry` returns: it can enter; it conflicts at once; later somebody would have to be
@@ -56,8 +53,8 @@ SAME_COST = 1e-9
 """Costs closer than this are equal, and the first entry is taken."""
 
 
-@kernel
-def enter_next_slot(table: SequenceTable, window: Window, rules: Rules) -> bool:
+@inlined_kernel
+def plan_next_slot(table: SequenceTable, window: Window, rules: Rules) -> bool:
     """Move the window on by one slot, and decide the columns to come.
 
     Args:
@@ -80,8 +77,8 @@ def enter_next_slot(table: SequenceTable, window: Window, rules: Rules) -> bool:
     return True
 
 
-@kernel
-def start_action(
+@inner_kernel
+def plan_start(
     table: SequenceTable, window: Window, rules: Rules, seat: int, elapsed: float
 ) -> int:
     """Start an action now, if it can be synchronized.
@@ -115,12 +112,11 @@ def start_action(
     if best == REFUSED:
         return REFUSED
     _put_in(table, window, seat, best, elapsed)
-    combine_column(table, window, rules, FIRST)
     plan(table, window, rules)
     return best
 
 
-@kernel
+@inlined_kernel
 def weigh_entry(
     table: SequenceTable,
     window: Window,
@@ -133,7 +129,7 @@ def weigh_entry(
 
     Args:
         table: All sequences.
-        window: The schedule, as for `start_action`; left as it was, but for the seat's own
+        window: The schedule, as for `plan_start`; left as it was, but for the seat's own
             numbers, which mean nothing while it does not play.
         rules: The rules of the default planner.
         seat: The seat of the action.
@@ -174,34 +170,10 @@ def _put_in(
     window.playing[seat] = True
 
 
-@kernel
-def release_action(table: SequenceTable, window: Window, rules: Rules, seat: int) -> bool:
-    """Take an action out, when its leg weight has reached zero; return as `reconsider`."""
-    window.playing[seat] = False
-    window.muted[seat] = False
-    return reconsider(table, window, rules)
-
-
-@kernel
-def reconsider(table: SequenceTable, window: Window, rules: Rules) -> bool:
-    """Take note of an event: a priority, an age or a set of running actions has changed.
-
-    The default planner decides columns 1 and later anew; in paper mode the decisions stay and
-    only the results follow.
-
-    Returns:
-        Whether all decided columns can be played.
-    """
-    if not rules.replans:
-        return recombine(table, window, rules)
-    combine_column(table, window, rules, FIRST)
-    plan(table, window, rules)
-    return True
-
-
-@kernel
+@inner_kernel
 def plan(table: SequenceTable, window: Window, rules: Rules) -> None:
     """Decide every column but the present one, and how long they last; mute who finds no room."""
+    combine_column(table, window, rules, FIRST)
     memory = window.search[0]
     if _lanes_of(table, window, rules) == 0:
         seat = _first_muted(window, FIRST)

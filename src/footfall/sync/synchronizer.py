@@ -12,7 +12,8 @@ import numpy as np
 from footfall.errors import ArgumentError
 from footfall.support import Support, SupportSequence
 from footfall.sync.columns import own_phase
-from footfall.sync.planner import REFUSED, enter_next_slot, reconsider, release_action, start_action
+from footfall.sync.events import enter_next_slot, reconsider, release_action, start_action
+from footfall.sync.planner import REFUSED
 from footfall.sync.refusal import explain_refusal
 from footfall.sync.schedule import Schedule
 from footfall.sync.shares import spend_slot
