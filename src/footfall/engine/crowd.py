@@ -14,11 +14,13 @@ from footfall.arrays import Indices, Positions, Rotations, Supports
 from footfall.engine.commands import NO_SEAT, start_row, stop_row
 from footfall.engine.library import MotionLibrary
 from footfall.engine.pipeline import advance_rows
+from footfall.engine.planning import copy_window
 from footfall.engine.priorities import parse_priority
 from footfall.engine.record import SEATS
-from footfall.engine.state import EMPTY, GIVES_UP, STARTS_MUTED, new_characters, new_workspace
+from footfall.engine.state import EMPTY, GIVES_UP, STARTS_MUTED, WAITING, new_characters, new_workspace
 from footfall.errors import ArgumentError, SkeletonError
 from footfall.skeleton import Skeleton
+from footfall.sync.refusal import Refusal, foresee
 from footfall.sync.tables import Planner, rules_of
 
 __all__ = ["Crowd", "Late"]
@@ -171,6 +173,32 @@ class Crowd:
                 )
             started[place] = code > 0
         return started
+
+    def refusal(self, action: int, row: int) -> Refusal:
+        """Say why an action of one character waits, and when it will start.
+
+        Args:
+            action: Its id in the library.
+            row: Which character.
+
+        Raises:
+            ArgumentError: If the action or the row does not exist, or the action does not wait.
+        """
+        action = self._check_action(action)
+        me = self._characters[self._check_rows([row])[0]]
+        seats = np.flatnonzero((me["action"] == action) & (me["status"] == WAITING))
+        if len(seats) == 0:
+            name = self.library.actions[action].name
+            raise ArgumentError(f"{name!r} does not wait, so nothing explains why")
+        window = copy_window(me, self._work.search)
+        return foresee(
+            self._shelf.table,
+            window,
+            self._rules,
+            int(seats[0]),
+            [self.library.actions[int(other)].name for other in me["action"]],
+            elapsed=float(me["slot_progress"]),
+        ) or Refusal("waits for the next slot", float(window.durations[0]), False)
 
     def stop(self, action: int, rows: Rows = None) -> None:
         """Let an action fade out, or cancel its waiting start.

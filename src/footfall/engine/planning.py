@@ -15,7 +15,7 @@ from footfall.sync.planner import plan
 from footfall.sync.search_memory import SearchMemories
 from footfall.sync.tables import Rules, Window
 
-__all__ = ["follow_plan", "measure_remaining", "replan", "window_of"]
+__all__ = ["copy_window", "follow_plan", "measure_remaining", "replan", "window_of"]
 
 # A typed number: a literal would have everything that it is passed to compiled twice.
 PRESENT = cast(int, np.int64(0))
@@ -46,6 +46,23 @@ def window_of(me: Character, search: SearchMemories) -> Window:
         me.spare_phases,
         me.spare_results,
     )
+
+
+def copy_window(character: np.void, search: SearchMemories) -> Window:
+    """Return a copy of the synchronizer's window on one character, as it is now.
+
+    Args:
+        character: One record of `character_type`.
+        search: Any working memory of the planner.
+    """
+    fields = [
+        search if name == "search" else character["slot_offset" if name == "offset" else name]
+        for name in Window._fields
+    ]
+    window = Window._make(fields).copy()
+    left = (1.0 - float(character["slot_progress"])) * float(character["slot_duration"])
+    window.durations[0] = left
+    return window
 
 
 @inner_kernel

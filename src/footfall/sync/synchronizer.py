@@ -14,7 +14,7 @@ from footfall.support import Support, SupportSequence
 from footfall.sync.columns import own_phase
 from footfall.sync.events import enter_next_slot, reconsider, release_action, start_action
 from footfall.sync.planner import REFUSED
-from footfall.sync.refusal import explain_refusal
+from footfall.sync.refusal import Refusal, explain_refusal, foresee
 from footfall.sync.schedule import Schedule
 from footfall.sync.shares import spend_slot
 from footfall.sync.tables import (
@@ -108,6 +108,13 @@ class Synchronizer:
         if self._window.playing[action]:
             return True
         return action not in self._waiting and self._try(action)
+
+    def foresee(self, action: int) -> Refusal | None:
+        """Say for what a waiting action waits and how long; None if it does not wait."""
+        self._check(action)
+        if action not in self._waiting:
+            return None
+        return foresee(self._table, self._window, self._rules, action, self.names)
 
     def stop(self, action: int) -> None:
         """Take an action out of the schedule now, or cancel its waiting start."""
