@@ -18,7 +18,8 @@ from footfall.sync import Synchronizer
 from footfall.sync.columns import combine_column
 from footfall.sync.paper import synchronize_column
 from footfall.sync.planner import REFUSED, start_action, window_cost
-from footfall.sync.tables import Planner, SequenceTable, Window, rules_of
+from footfall.sync.tables import Planner, SequenceTable, rules_of
+from footfall.sync.window import Window
 
 CASES = Path(__file__).parents[3] / "shared" / "cases" / "realistic.json"
 

@@ -6,7 +6,8 @@ import pytest
 
 from footfall.support import SupportSequence
 from footfall.sync.shares import column_share, natural_duration, spend_slot
-from footfall.sync.tables import SequenceTable, Window
+from footfall.sync.tables import SequenceTable
+from footfall.sync.window import Window
 
 TABLE = SequenceTable.of([SupportSequence.parse("R.4 D.1*"), SupportSequence.parse("D.3 L.6")])
 

@@ -39,9 +39,7 @@ SAME_MOMENT = 1e-9
 
 
 @inner_kernel
-def pass_time(
-    shelf: Shelf, me: Character, search: SearchMemories, rules: Rules, dt: float
-) -> None:
+def pass_time(shelf: Shelf, me: Character, search: SearchMemories, rules: Rules, dt: float) -> None:
     """Let `dt` seconds pass on one character's clocks."""
     if me.unsettled:
         replan(shelf, me, search, rules)

@@ -17,7 +17,14 @@ from footfall.engine.pipeline import advance_rows
 from footfall.engine.planning import copy_window
 from footfall.engine.priorities import parse_priority
 from footfall.engine.record import SEATS
-from footfall.engine.state import EMPTY, GIVES_UP, STARTS_MUTED, WAITING, new_characters, new_workspace
+from footfall.engine.state import (
+    EMPTY,
+    GIVES_UP,
+    STARTS_MUTED,
+    WAITING,
+    new_characters,
+    new_workspace,
+)
 from footfall.errors import ArgumentError, SkeletonError
 from footfall.skeleton import Skeleton
 from footfall.sync.refusal import Refusal, foresee

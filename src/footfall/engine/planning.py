@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from typing import cast
+from typing import Any, cast
 
 import numpy as np
+import numpy.typing as npt
 
 from footfall.compilation import inlined_kernel, inner_kernel
 from footfall.engine.durations import rebuild_warps, set_target, update_weights
@@ -13,7 +14,8 @@ from footfall.engine.shelf import Shelf, phase_end
 from footfall.sync.columns import has_ended
 from footfall.sync.planner import plan
 from footfall.sync.search_memory import SearchMemories
-from footfall.sync.tables import Rules, Window
+from footfall.sync.tables import Rules
+from footfall.sync.window import Window
 
 __all__ = ["copy_window", "follow_plan", "measure_remaining", "replan", "window_of"]
 
@@ -48,7 +50,7 @@ def window_of(me: Character, search: SearchMemories) -> Window:
     )
 
 
-def copy_window(character: np.void, search: SearchMemories) -> Window:
+def copy_window(character: npt.NDArray[Any], search: SearchMemories) -> Window:
     """Return a copy of the synchronizer's window on one character, as it is now.
 
     Args:

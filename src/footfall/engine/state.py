@@ -103,4 +103,5 @@ def new_characters(rows: int, lookahead: int) -> npt.NDArray[Any]:
 def new_workspace(joints: int) -> Workspace:
     """Return the memory in which one thread works."""
     return Workspace(
-        new_search_memory(), np.zeros((joints + 2, 4)), np.zeros((joints, 4)), np.zeros((joints, 3)))
+        new_search_memory(), np.zeros((joints + 2, 4)), np.zeros((joints, 4)), np.zeros((joints, 3))
+    )

@@ -23,7 +23,8 @@ from footfall.scenario.schedule_fields import ScheduleProblem, parse_timed
 from footfall.scenario.schedule_run import play_commands
 from footfall.support import Support
 from footfall.sync.synchronizer import Synchronizer
-from footfall.sync.tables import ABSENT, SequenceTable, Window
+from footfall.sync.tables import ABSENT, SequenceTable
+from footfall.sync.window import Window
 
 __all__ = ["ScheduleProblem", "describe_problem", "solve", "solve_batch", "solve_problem"]
 

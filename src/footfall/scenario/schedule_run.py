@@ -11,7 +11,8 @@ from footfall.sync.columns import own_phase
 from footfall.sync.events import enter_next_slot, release_action, start_action
 from footfall.sync.planner import REFUSED
 from footfall.sync.shares import natural_duration, spend_slot
-from footfall.sync.tables import ABSENT, Rules, SequenceTable, Window
+from footfall.sync.tables import ABSENT, Rules, SequenceTable
+from footfall.sync.window import Window
 from footfall.timing.weights import slot_duration
 
 __all__ = ["play_commands"]
@@ -108,9 +109,7 @@ def _duration(
     voters = 0
     for seat in range(window.playing.shape[0]):
         if window.playing[seat]:
-            natural[voters] = natural_duration(
-                table, window.sequence[seat], window.phases[seat, 0]
-            )
+            natural[voters] = natural_duration(table, window.sequence[seat], window.phases[seat, 0])
             shares[voters] = window.weight[seat]
             voters += 1
     return slot_duration(shares, natural, voters) if voters > 0 else math.nan

@@ -66,8 +66,7 @@ class Support(IntEnum):
     @classmethod
     def _missing_(cls, value: object) -> Support | None:
         """Make the object of a set of limbs that has no name of its own."""
-        grounded = isinstance(value, int) and 0 < value <= EVERY_LIMB and value & 1
-        if not grounded:
+        if not isinstance(value, int) or not 0 < value <= EVERY_LIMB or not value & 1:
             return None
         support = int.__new__(cls, value)
         support._name_ = _symbol_of(int(support))

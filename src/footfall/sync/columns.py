@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from footfall.compilation import kernel
 from footfall.support import Support
-from footfall.sync.tables import ABSENT, ENDED_NEUTRAL, Rules, SequenceTable, Window
+from footfall.sync.tables import ABSENT, ENDED_NEUTRAL, Rules, SequenceTable
+from footfall.sync.window import Window
 
 __all__ = ["combine_column", "following", "has_ended", "own_phase", "recombine", "support_of"]
 

@@ -11,7 +11,8 @@ from footfall.support import Support
 from footfall.sync.columns import own_phase, recombine
 from footfall.sync.planner import REFUSED, plan, plan_next_slot, plan_start, weigh_entry
 from footfall.sync.shares import natural_duration, spend_slot
-from footfall.sync.tables import ABSENT, Rules, SequenceTable, Window
+from footfall.sync.tables import ABSENT, Rules, SequenceTable
+from footfall.sync.window import Window
 
 __all__ = [
     "enter_next_slot",

@@ -11,7 +11,8 @@ from itertools import product
 
 from footfall.support import Support
 from footfall.sync.columns import has_ended, support_of
-from footfall.sync.tables import Rules, SequenceTable, Window
+from footfall.sync.tables import Rules, SequenceTable
+from footfall.sync.window import Window
 
 __all__ = ["states_without_ground"]
 
@@ -46,7 +47,7 @@ def states_without_ground(
     if not seats or ending or states > MOST_STATES:
         return None
     entries = range(counts[-1] if table.cyclic[sequences[-1]] else 1)
-    reached = {
+    reached: set[State] = {
         (*phases, entry)
         for phases in product(*(range(count) for count in counts[:-1]))
         for entry in entries

@@ -8,12 +8,15 @@ from __future__ import annotations
 
 from footfall.compilation import inner_kernel
 from footfall.support import Support
-from footfall.sync.branching import expand, has_branch
+from footfall.sync.branching import expand
+from footfall.sync.options import has_branch
+from footfall.sync.paper import precedes
 from footfall.sync.prices import EQUAL_CONCERN, TIME_VALUE
 from footfall.sync.search_memory import DEEPEST, LANES, NODES, SearchMemory
-from footfall.sync.tables import Rules, SequenceTable, Window
+from footfall.sync.tables import Rules, SequenceTable
+from footfall.sync.window import Window
 
-__all__ = ["HORIZON", "choose_path", "gather_lanes", "first_blocked", "plant_root"]
+__all__ = ["HORIZON", "choose_path", "first_blocked", "gather_lanes", "plant_root"]
 
 HORIZON = 2.0
 """How far the search looks ahead [s]."""
@@ -50,7 +53,7 @@ def gather_lanes(
         if not takes_part and seat != entering:
             continue
         place = memory.lanes
-        while place > 0 and _precedes(window, seat, memory.seat[place - 1]):
+        while place > 0 and precedes(window, seat, memory.seat[place - 1]):
             place -= 1
         if place >= LANES:
             continue
@@ -70,13 +73,6 @@ def gather_lanes(
         memory.weight[lane] = max(memory.weight[lane] / total, LIGHTEST)
         equal = EQUAL_CONCERN / memory.lanes
         memory.concern[lane] = equal + (1.0 - EQUAL_CONCERN) * memory.weight[lane]
-
-
-@inner_kernel
-def _precedes(window: Window, seat: int, other: int) -> bool:
-    if window.priority[seat] != window.priority[other]:
-        return window.priority[seat] > window.priority[other]
-    return window.age[seat] < window.age[other]
 
 
 @inner_kernel
@@ -113,8 +109,10 @@ def choose_path(table: SequenceTable, memory: SearchMemory) -> tuple[int, bool]:
         node = -1
         for other in range(NODES):
             open_end = memory.time[other] < HORIZON and memory.depth[other] < DEEPEST
-            if memory.alive[other] and open_end and (
-                node < 0 or memory.time[other] < memory.time[node]
+            if (
+                memory.alive[other]
+                and open_end
+                and (node < 0 or memory.time[other] < memory.time[node])
             ):
                 node = other
         if node < 0:

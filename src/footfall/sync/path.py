@@ -7,7 +7,8 @@ from footfall.support import Support
 from footfall.sync.columns import combine_column, following, has_ended, support_of
 from footfall.sync.search_memory import SearchMemory
 from footfall.sync.shares import natural_duration
-from footfall.sync.tables import Rules, SequenceTable, Window
+from footfall.sync.tables import Rules, SequenceTable
+from footfall.sync.window import Window
 
 __all__ = ["write_path"]
 
@@ -29,9 +30,7 @@ def write_path(table: SequenceTable, window: Window, rules: Rules, node: int) ->
     window.offset[0] = memory.offset[node] if node >= 0 else 0.0
     columns = window.results.shape[0]
     for seat in range(window.playing.shape[0]):
-        if window.playing[seat] and has_ended(
-            table, window.sequence[seat], window.phases[seat, 0]
-        ):
+        if window.playing[seat] and has_ended(table, window.sequence[seat], window.phases[seat, 0]):
             for column in range(1, columns):
                 window.phases[seat, column] = following(window.phases[seat, column - 1])
             window.pace[seat, 0] = window.pace[seat, 1] = 0.0
@@ -67,7 +66,7 @@ def _go_on_without_search(
     stuck = False
     for lane in range(memory.lanes):
         seat = memory.seat[lane]
-        sequence = window.sequence[seat]
+        sequence = int(window.sequence[seat])
         before = window.phases[seat, column - 1]
         phase = following(before)
         support = support_of(table, sequence, phase, rules.ended)
@@ -111,16 +110,16 @@ def _set_pace(
             window.pace[seat, 1] = window.pace[seat, 0]
             return
         coming = window.phases[seat, 0] + 1
-        if has_ended(table, window.sequence[seat], coming):
+        if has_ended(table, int(window.sequence[seat]), coming):
             window.pace[seat, 1] = 0.0
             return
-        own = natural_duration(table, window.sequence[seat], coming)
+        own = natural_duration(table, int(window.sequence[seat]), coming)
 
 
 @inner_kernel
 def _run_freely(table: SequenceTable, window: Window, seat: int) -> None:
     """Say where a muted action will be, which plays at its own speed."""
-    sequence = window.sequence[seat]
+    sequence = int(window.sequence[seat])
     phase = window.phases[seat, 0]
     left = window.remaining[seat]
     window.pace[seat, 0] = window.pace[seat, 1] = 1.0

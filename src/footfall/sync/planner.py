@@ -25,7 +25,8 @@ from footfall.sync.path import write_path
 from footfall.sync.prices import TIME_VALUE
 from footfall.sync.search_memory import LANES
 from footfall.sync.shares import natural_duration
-from footfall.sync.tables import ABSENT, Rules, SequenceTable, Window
+from footfall.sync.tables import ABSENT, Rules, SequenceTable
+from footfall.sync.window import Window
 
 __all__ = [
     "ENTERS",
@@ -158,9 +159,7 @@ def weigh_entry(
 
 
 @inner_kernel
-def _put_in(
-    table: SequenceTable, window: Window, seat: int, entry: int, elapsed: float
-) -> None:
+def _put_in(table: SequenceTable, window: Window, seat: int, entry: int, elapsed: float) -> None:
     sequence = window.sequence[seat]
     own = natural_duration(table, sequence, entry)
     window.phases[seat, 0] = entry
@@ -250,7 +249,8 @@ def _let_one_rejoin(table: SequenceTable, window: Window, rules: Rules) -> None:
         memory = window.search[0]
         gather_lanes(table, window, memory, rules, NOBODY)
         plant_root(table, window, memory)
-        _, complete = choose_path(table, memory)
+        node, complete = choose_path(table, memory)
+        complete = complete and bool(memory.grounded[node])
     if not complete:
         window.muted[seat] = True
         window.held[seat] = rested

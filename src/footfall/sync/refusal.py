@@ -14,7 +14,8 @@ from footfall.sync.events import foresee_start, try_entry
 from footfall.sync.impossibility import states_without_ground
 from footfall.sync.paper import enter_window
 from footfall.sync.planner import ENTERS, NO_ROOM, ON_THE_OTHER_FOOT
-from footfall.sync.tables import Rules, SequenceTable, Window
+from footfall.sync.tables import Rules, SequenceTable
+from footfall.sync.window import Window
 
 __all__ = ["Refusal", "explain_refusal", "foresee"]
 
@@ -67,7 +68,7 @@ def foresee(
     states = states_without_ground(table, window, rules, seat) if rules.replans else None
     if states is not None:
         running = " and ".join(
-            repr(names[other]) for other in window.playing.nonzero()[0] if other != seat
+            repr(names[int(other)]) for other in window.playing.nonzero()[0] if other != seat
         )
         proof = (
             f"impossible beside {running}: in none of their {states} joint phases does anything "
@@ -208,9 +209,7 @@ def _conflict(
     )
 
 
-def _first_conflict(
-    seats: Sequence[int], supports: Mapping[int, Support]
-) -> tuple[int, list[int]]:
+def _first_conflict(seats: Sequence[int], supports: Mapping[int, Support]) -> tuple[int, list[int]]:
     """Return one action on the ground, and those before it that it cannot go with."""
     together = -1
     for place, one in enumerate(seats):

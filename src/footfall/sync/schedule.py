@@ -16,7 +16,8 @@ from dataclasses import dataclass
 from footfall.arrays import Indices, Supports
 from footfall.support import Support
 from footfall.sync.columns import has_ended, own_phase, support_of
-from footfall.sync.tables import Rules, SequenceTable, Window
+from footfall.sync.tables import Rules, SequenceTable
+from footfall.sync.window import Window
 
 __all__ = ["Schedule", "ScheduleRow"]
 

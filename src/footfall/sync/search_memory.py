@@ -131,19 +131,23 @@ class SearchMemory:
     """When it must end at the least rate."""
 
 
-_BY_NODE_AND_LANE = {"phase": np.int64, "since": np.float64, "held": np.int64}
-_BY_NODE = {"alive": np.int64, "time": np.float64, "cost": np.float64, "rank": np.float64}
-_BY_NODE |= {"steady": np.float64, "grounded": np.int64, "depth": np.int64, "offset": np.float64}
-_BY_LANE = {"seat": np.int64, "first": np.int64, "count": np.int64, "cyclic": np.int64}
-_BY_LANE |= {"weight": np.float64, "concern": np.float64, "root": np.int64, "left": np.float64}
-_BY_LANE |= {"support": np.int64, "coming": np.int64, "own": np.float64, "played": np.float64}
-_BY_LANE |= {"vote": np.float64, "soonest": np.float64, "latest": np.float64}
+_NUMBERS = {
+    np.int64: ("seat first count cyclic root support coming", "alive grounded depth", "phase held"),
+    np.float64: (
+        "weight concern left own played vote soonest latest",
+        "time cost rank steady offset",
+        "since",
+    ),
+}
 
 _TYPE = np.dtype(
     [(name, np.int64) for name in ("lanes", "whole", "limit")]
-    + [(name, kind, (LANES,)) for name, kind in _BY_LANE.items()]
-    + [(name, kind, (NODES,)) for name, kind in _BY_NODE.items()]
-    + [(name, kind, (NODES, LANES)) for name, kind in _BY_NODE_AND_LANE.items()]
+    + [
+        (name, kind, shape)
+        for kind, fields in _NUMBERS.items()
+        for names, shape in zip(fields, ((LANES,), (NODES,), (NODES, LANES)), strict=True)
+        for name in names.split()
+    ]
     + [("advancing", np.int64, (NODES, DEEPEST)), ("durations", np.float64, (NODES, DEEPEST))]
     + [("masks", np.int64, (MASKS,))],
     align=True,

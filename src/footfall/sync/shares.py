@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from footfall.compilation import kernel
 from footfall.sync.columns import has_ended
-from footfall.sync.tables import SequenceTable, Window
+from footfall.sync.tables import SequenceTable
+from footfall.sync.window import Window
 
 __all__ = ["finish_slot", "natural_duration", "spend_slot"]
 

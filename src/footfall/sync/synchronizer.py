@@ -23,10 +23,10 @@ from footfall.sync.tables import (
     Planner,
     SequenceTable,
     StartPolicy,
-    Window,
     check_registration,
     rules_of,
 )
+from footfall.sync.window import Window
 
 __all__ = ["Synchronizer"]
 
