@@ -76,6 +76,11 @@ def measure_remaining(shelf: Shelf, me: Character, column: int) -> None:
         me: The character.
         column: 0 in the middle of a slot, 1 where the next one is about to be entered.
     """
+    if column == PRESENT:
+        # What has passed since the last plan is over.
+        rest = (1.0 - me.slot_progress) * me.slot_duration
+        me.steady[0] += max(me.durations[0] - rest, 0.0)
+        me.durations[0] = rest
     for seat in range(SEATS):
         if not me.playing[seat]:
             continue

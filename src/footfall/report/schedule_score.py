@@ -35,7 +35,7 @@ class ScheduleScore:
     """How many times as long: the 5th, 95th, 99th percentile and the greatest."""
 
     flight_p95: float
-    """The 95th percentile over flights alone."""
+    """The 95th percentile over flights alone; 1 where nobody flies."""
 
     disagreement: float
     """Mean over time of the sum over both feet of 4 a (1 - a), a the share that plants it."""
@@ -75,9 +75,9 @@ def score_pairs(pairs: Iterable[PlayedPair]) -> ScheduleScore:
         cases=cases,
         octaves=float(np.abs(np.log2(stretches)).mean()),
         percentiles=(float(low), float(high), float(highest), max(stretches)),
-        flight_p95=float(np.percentile(flights, 95.0)),
+        flight_p95=float(np.percentile(flights or [1.0], 95.0)),
         disagreement=doubt / seconds,
-        taps=float(np.mean(np.array(supports) < SHORT - 1e-9)),
+        taps=sum(lasting < SHORT - 1e-9 for lasting in supports) / max(len(supports), 1),
         holds=holds / cases,
         muted=muted / playing,
     )

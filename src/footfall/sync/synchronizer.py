@@ -23,6 +23,7 @@ from footfall.sync.tables import (
     Planner,
     SequenceTable,
     StartPolicy,
+    check_limbs,
     check_registration,
     rules_of,
 )
@@ -57,6 +58,7 @@ class Synchronizer:
             raise ArgumentError("no sequence; a synchronizer needs at least one")
         for sequence in sequences:
             check_registration(sequence)
+        check_limbs(sequences, planner)
         count = len(sequences)
         ranks = [float(count - i) for i in range(count)] if priorities is None else priorities
         self.names = tuple(names) if names is not None else tuple(str(i) for i in range(count))
@@ -92,6 +94,11 @@ class Synchronizer:
     def playing(self) -> tuple[int, ...]:
         """The actions that take part in the schedule."""
         return tuple(int(action) for action in self._window.playing.nonzero()[0])
+
+    @property
+    def muted(self) -> tuple[int, ...]:
+        """Those of `playing` that play beside the schedule, for want of room (S-19)."""
+        return tuple(action for action in self.playing if self._window.muted[action])
 
     @property
     def waiting(self) -> dict[int, str]:

@@ -24,6 +24,7 @@ __all__ = [
     "Rules",
     "SequenceTable",
     "StartPolicy",
+    "check_limbs",
     "check_registration",
     "rules_of",
 ]
@@ -178,3 +179,20 @@ def check_registration(sequence: SupportSequence) -> None:
             f"phases 0 and 0, neighbors in the cycle, are both {only.name}: a cycle of a single "
             f"{symbol} never changes feet; leave out the * or add a phase, such as {symbol} D*"
         )
+
+
+def check_limbs(sequences: Sequence[SupportSequence], planner: Planner) -> None:
+    """Refuse limbs beside the feet to the rule of the paper.
+
+    Raises:
+        ArgumentError: If it is asked to synchronize one.
+    """
+    if planner != "paper":
+        return
+    for number, sequence in enumerate(sequences):
+        for phase in sequence.phases:
+            if phase.support > Support.DOUBLE:
+                raise ArgumentError(
+                    f"sequence {number} stands on {phase.support.symbol}; the rule of the paper "
+                    'knows two feet, R L D and -, and the planner "footfall" any limbs'
+                )
