@@ -6,6 +6,7 @@ import json
 from collections import Counter
 from pathlib import Path
 
+import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -105,7 +106,8 @@ WALK = "R.4 D.14 L.4 D.14*"
 def test_a_walk_enters_a_walk_in_step(phase: int, elapsed: float) -> None:
     entry, window = start_beside(WALK, phase, "R.42 D.18 L.42 D.18*", elapsed)
     assert entry == phase
-    assert window.phases[0].tolist() == window.phases[1].tolist()
+    apart = np.abs(window.phases[0] - window.phases[1])
+    assert apart.max() <= 1
 
 
 def test_a_clamped_action_enters_at_its_first_phase_or_not_at_all() -> None:

@@ -89,13 +89,14 @@ def play(chosen: list[SupportSequence], commands: list[tuple[str, int]]) -> None
             reconsider(table, window, RULES)
         check_window(table, window)
         before = window.phases[:, 0].copy()
+        free = ~window.muted
         spend_slot(table, window)
         enter_next_slot(table, window, RULES)
         for seat in range(len(chosen)):
             if window.playing[seat]:
                 phase = int(window.phases[seat, 0])
                 assert phase >= before[seat]
-                assert window.muted[seat] or phase <= before[seat] + 1 or before[seat] < 0
+                assert phase <= before[seat] + 1 or not free[seat]
                 if has_ended(table, seat, phase):
                     release_action(table, window, RULES, seat)
                 else:

@@ -8,8 +8,9 @@ from dataclasses import dataclass
 from typing import Any
 
 from footfall.adaptation import Plane
-from footfall.engine.crowd import Crowd, Late
+from footfall.engine.crowd import Crowd
 from footfall.engine.library import MotionLibrary
+from footfall.engine.refusals import Late
 from footfall.engine.state import EMPTY, WAITING, Frame
 from footfall.errors import ArgumentError
 from footfall.motion import Clip

@@ -74,21 +74,27 @@ def start_row(
                 return STARTED
     if free < 0:
         return NO_SEAT
-    me.action[free] = action
-    me.sequence[free] = action
-    for part in range(PARTS):
-        me.priorities[free, part] = shelf.entries[action].priorities[part]
-    me.priority[free] = me.priorities[free, LEGS]
-    me.starts += 1
-    me.age[free] = me.starts
-    me.fade_elapsed[free, 0] = me.fade_elapsed[free, 1] = 0.0
-    me.playing[free] = False
-    me.status[free] = WAITING
+    _take_seat(shelf, me, free, action)
     me.patience[free] = me.clock + patience
     me.late[free] = late
     if enter_action(shelf, me, search, rules, free):
         return STARTED
     return WAITS
+
+
+@inner_kernel
+def _take_seat(shelf: Shelf, me: Character, seat: int, action: int) -> None:
+    """Seat an action that waits for its moment."""
+    me.action[seat] = action
+    me.sequence[seat] = action
+    for part in range(PARTS):
+        me.priorities[seat, part] = shelf.entries[action].priorities[part]
+    me.priority[seat] = me.priorities[seat, LEGS]
+    me.starts += 1
+    me.age[seat] = me.starts
+    me.fade_elapsed[seat, 0] = me.fade_elapsed[seat, 1] = 0.0
+    me.playing[seat] = False
+    me.status[seat] = WAITING
 
 
 @inner_kernel

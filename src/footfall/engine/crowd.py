@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from typing import Any, Literal
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
@@ -14,28 +14,21 @@ from footfall.arrays import Indices, Positions, Rotations, Supports
 from footfall.engine.commands import NO_SEAT, start_row, stop_row
 from footfall.engine.library import MotionLibrary
 from footfall.engine.pipeline import advance_rows
-from footfall.engine.planning import copy_window
 from footfall.engine.priorities import parse_priority
 from footfall.engine.record import SEATS
+from footfall.engine.refusals import LATE, Late, check_patience, explain_wait
 from footfall.engine.state import (
     EMPTY,
-    GIVES_UP,
-    STARTS_MUTED,
     WAITING,
     new_characters,
     new_workspace,
 )
 from footfall.errors import ArgumentError, SkeletonError
 from footfall.skeleton import Skeleton
-from footfall.sync.refusal import Refusal, foresee
+from footfall.sync.refusal import Refusal
 from footfall.sync.tables import Planner, rules_of
 
-__all__ = ["Crowd", "Late"]
-
-LATE = {"give up": GIVES_UP, "mute": STARTS_MUTED}
-
-Late = Literal["give up", "mute"]
-"""What becomes of a start that has waited too long."""
+__all__ = ["Crowd"]
 
 Rows = Sequence[int] | npt.NDArray[Any] | None
 
@@ -155,10 +148,7 @@ class Crowd:
             ArgumentError: If the action or a row does not exist, a character already has its
                 hands full, or the patience or what comes after it is none.
         """
-        if not patience >= 0.0:
-            raise ArgumentError(f"a patience of {patience} s; it must be at least 0")
-        if late not in LATE:
-            raise ArgumentError(f'late is {late!r}; it must be "give up" or "mute"')
+        check_patience(patience, late)
         action = self._check_action(action)
         chosen = self._check_rows(rows)
         started = np.zeros(len(chosen), dtype=np.bool_)
@@ -197,15 +187,9 @@ class Crowd:
         if len(seats) == 0:
             name = self.library.actions[action].name
             raise ArgumentError(f"{name!r} does not wait, so nothing explains why")
-        window = copy_window(me, self._work.search)
-        return foresee(
-            self._shelf.table,
-            window,
-            self._rules,
-            int(seats[0]),
-            [self.library.actions[int(other)].name for other in me["action"]],
-            elapsed=float(me["slot_progress"]),
-        ) or Refusal("waits for the next slot", float(window.durations[0]), False)
+        return explain_wait(
+            self._shelf, me, self._work.search, self._rules, self.library, int(seats[0])
+        )
 
     def stop(self, action: int, rows: Rows = None) -> None:
         """Let an action fade out, or cancel its waiting start.

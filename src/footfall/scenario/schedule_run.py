@@ -73,17 +73,20 @@ def play_commands(
                         activations += 1
         results[slot] = window.results[0]
         for seat in range(order.shape[0]):
-            rows[seat, slot] = (
-                own_phase(table, window.sequence[seat], window.phases[seat, 0], rules.ended)
-                if window.playing[seat]
-                else ABSENT
-            )
+            rows[seat, slot] = _own_index(table, window, rules, seat)
             muted[seat, slot] = window.playing[seat] and window.muted[seat]
         if window.results[0] == CONFLICT:
             durations[slot] = math.nan
             return slot + 1
         durations[slot] = _duration(table, window, rules, shares, natural)
     return results.shape[0]
+
+
+@kernel
+def _own_index(table: SequenceTable, window: Window, rules: Rules, seat: int) -> int:
+    if not window.playing[seat]:
+        return ABSENT
+    return own_phase(table, window.sequence[seat], window.phases[seat, 0], rules.ended)
 
 
 @kernel

@@ -70,19 +70,8 @@ def expand(table: SequenceTable, memory: SearchMemory, node: int) -> int:
         if after != combined:
             duration = max(duration, SHORTEST_SUPPORT - memory.steady[node])
         duration = min(max(duration, soonest), latest)
-        cost = memory.cost[node] + DISAGREEMENT_PRICE * doubt * duration
-        overdue = 0.0
-        for lane in range(memory.lanes):
-            played = memory.played[lane] + duration
-            goes_on = mask >> lane & 1
-            if memory.vote[lane] >= 0.0 and (goes_on or played > memory.own[lane]):
-                paid = stretch_cost(
-                    played / memory.own[lane], memory.support[lane], memory.concern[lane]
-                )
-                if goes_on:
-                    cost += paid
-                else:
-                    overdue += paid
+        paid, overdue = _stretch_costs(memory, mask, duration)
+        cost = memory.cost[node] + DISAGREEMENT_PRICE * doubt * duration + paid
         time = memory.time[node] + duration
         rank = cost + overdue - TIME_VALUE * time
         child = _place_for(memory, node, mask, time, rank)
@@ -97,6 +86,24 @@ def expand(table: SequenceTable, memory: SearchMemory, node: int) -> int:
                 memory.offset[child] = duration - mean
     memory.alive[node] = 0
     return ways
+
+
+@inner_kernel
+def _stretch_costs(memory: SearchMemory, mask: int, duration: float) -> tuple[float, float]:
+    """Return what the phases cost that end with a column, and those that are overdue then."""
+    paid = overdue = 0.0
+    for lane in range(memory.lanes):
+        played = memory.played[lane] + duration
+        goes_on = mask >> lane & 1
+        if memory.vote[lane] >= 0.0 and (goes_on or played > memory.own[lane]):
+            cost = stretch_cost(
+                played / memory.own[lane], memory.support[lane], memory.concern[lane]
+            )
+            if goes_on:
+                paid += cost
+            else:
+                overdue += cost
+    return paid, overdue
 
 
 @inner_kernel

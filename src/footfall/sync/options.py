@@ -6,7 +6,7 @@ import math
 
 from footfall.compilation import inner_kernel
 from footfall.support import Support
-from footfall.sync.prices import GREATEST_RATE, LEAST_RATE
+from footfall.sync.prices import GREATEST_RATE, LEAST_RATE, SOON
 from footfall.sync.search_memory import SearchMemory
 from footfall.sync.tables import SequenceTable
 
@@ -16,9 +16,6 @@ FLIGHT, CONFLICT = int(Support.FLIGHT), int(Support.CONFLICT)
 
 ENDED = -1.0
 """The vote of an action that has ended."""
-
-SOON = 0.05
-"""Whoever is held must be able to go on for this long afterwards [s]."""
 
 FULL_SEARCH = 4
 """Up to this many lanes all sets are tried; of more, those that are due first."""

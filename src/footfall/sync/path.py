@@ -5,6 +5,7 @@ from __future__ import annotations
 from footfall.compilation import inner_kernel
 from footfall.support import Support
 from footfall.sync.columns import combine_column, following, has_ended, support_of
+from footfall.sync.prices import SOON
 from footfall.sync.search_memory import SearchMemory
 from footfall.sync.shares import natural_duration
 from footfall.sync.tables import Rules, SequenceTable
@@ -103,8 +104,8 @@ def _set_pace(
             ends = memory.advancing[node, column] >> lane & 1 != 0
             column += 1
         if not ends:
-            # The rest lies behind the horizon.
-            lasting = max(lasting, own)
+            # The rest lies behind the end of the search.
+            lasting = max(lasting + SOON, own)
         window.pace[seat, place] = own / lasting
         if place == 0 and (not ends or memory.advancing[node, 0] >> lane & 1 == 0):
             window.pace[seat, 1] = window.pace[seat, 0]

@@ -18,6 +18,7 @@ __all__ = [
     "GREATEST_RATE",
     "LEAST_RATE",
     "SHORTEST_SUPPORT",
+    "SOON",
     "TIME_VALUE",
     "stretch_cost",
 ]
@@ -44,6 +45,9 @@ EASY_OCTAVES, STEEPNESS = 0.6, 1.0
 
 EASY_FLIGHT_OCTAVES, FLIGHT_STEEPNESS = 0.4, 2.0
 """A flight beyond ×1.3 costs three times as much."""
+
+SOON = 0.05
+"""Whoever is held must be able to go on for this long afterwards [s]."""
 
 SHORTEST_SUPPORT = 0.1
 """What carries the body does so for this long [s] where the rates allow it: a foot that is down
