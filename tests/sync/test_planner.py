@@ -206,7 +206,7 @@ def test_realistic_pairs_nearly_always_start_at_once() -> None:
                 delays[synchronizer.slot] += 1
                 if synchronizer.waiting:
                     never.add((one, other))
-    # S-6 counted 293 and 11; 294 at once, 10 one phase later, and only right hop with left hop never.
+    # S-6 counted 293 and 11; and only right hop with left hop never.
     assert delays == {0: 294, 1: 10, 20: 2}
     assert never == {("rhop", "lhop"), ("lhop", "rhop")}
 

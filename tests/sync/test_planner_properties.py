@@ -38,7 +38,7 @@ def plays(draw: st.DrawFn) -> tuple[list[SupportSequence], list[tuple[str, int]]
     limbs = draw(st.integers(2, 6))
     chosen = draw(st.lists(sequences(limbs), min_size=2, max_size=8))
     actions = st.integers(0, len(chosen) - 1)
-    commands = draw(
+    commands: list[tuple[str, int]] = draw(
         st.lists(st.tuples(st.sampled_from(COMMANDS), actions), min_size=10, max_size=40)
     )
     return chosen, commands

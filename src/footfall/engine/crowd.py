@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -17,9 +17,9 @@ from footfall.engine.pipeline import advance_rows
 from footfall.engine.priorities import parse_priority
 from footfall.engine.record import SEATS
 from footfall.engine.refusals import LATE, Late, check_patience, explain_wait
+from footfall.engine.rows import Rows, check_rows, place_characters
 from footfall.engine.state import (
     EMPTY,
-    WAITING,
     new_characters,
     new_workspace,
 )
@@ -29,8 +29,6 @@ from footfall.sync.refusal import Refusal
 from footfall.sync.tables import Planner, rules_of
 
 __all__ = ["Crowd"]
-
-Rows = Sequence[int] | npt.NDArray[Any] | None
 
 
 class Crowd:
@@ -99,21 +97,7 @@ class Crowd:
             self._known = len(self.library.actions)
 
     def _check_rows(self, rows: Rows) -> Indices:
-        if rows is None:
-            return np.arange(self.size)
-        chosen = np.asarray(rows)
-        if chosen.dtype == np.bool_ and chosen.shape == (self.size,):
-            return np.flatnonzero(chosen)
-        if chosen.ndim != 1 or (chosen.size and not np.issubdtype(chosen.dtype, np.integer)):
-            raise ArgumentError(
-                f"rows of shape {chosen.shape} and type {chosen.dtype}; a list of row numbers or "
-                f"a mask of shape ({self.size},) is needed"
-            )
-        if chosen.size and not (chosen.min() >= 0 and chosen.max() < self.size):
-            raise ArgumentError(
-                f"rows {chosen.min()}..{chosen.max()}; this crowd has rows 0..{self.size - 1}"
-            )
-        return chosen.astype(np.int64)
+        return check_rows(rows, self.size)
 
     def _check_action(self, action: int) -> int:
         if not 0 <= action < len(self.library.actions):
@@ -174,22 +158,12 @@ class Crowd:
     def refusal(self, action: int, row: int) -> Refusal:
         """Say why an action of one character waits, and when it will start.
 
-        Args:
-            action: Its id in the library.
-            row: Which character.
-
         Raises:
             ArgumentError: If the action or the row does not exist, or the action does not wait.
         """
         action = self._check_action(action)
         me = self._characters[self._check_rows([row])[0]]
-        seats = np.flatnonzero((me["action"] == action) & (me["status"] == WAITING))
-        if len(seats) == 0:
-            name = self.library.actions[action].name
-            raise ArgumentError(f"{name!r} does not wait, so nothing explains why")
-        return explain_wait(
-            self._shelf, me, self._work.search, self._rules, self.library, int(seats[0])
-        )
+        return explain_wait(self._shelf, me, self._work.search, self._rules, self.library, action)
 
     def stop(self, action: int, rows: Rows = None) -> None:
         """Let an action fade out, or cancel its waiting start.
@@ -243,14 +217,7 @@ class Crowd:
             ArgumentError: If a row does not exist or a number is not finite.
         """
         chosen = self._check_rows(rows)
-        places = np.broadcast_to(np.asarray(position, dtype=np.float64), (len(chosen), 2))
-        headings = np.broadcast_to(np.asarray(heading, dtype=np.float64), (len(chosen),))
-        if not (np.isfinite(places).all() and np.isfinite(headings).all()):
-            raise ArgumentError("a position or heading is not finite; finite numbers are needed")
-        self._characters["root"][chosen, :2] = places
-        self._characters["root"][chosen, 2] = headings
-        self._characters["foot_offset"][chosen] = 0.0
-        self._characters["foot_velocity"][chosen] = 0.0
+        place_characters(self._characters, chosen, position, heading)
 
     def advance(self, dt: float) -> None:
         """Let time pass for everybody.

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from typing import Any, Literal
 
+import numpy as np
 import numpy.typing as npt
 
 from footfall.engine.library import MotionLibrary
 from footfall.engine.planning import copy_window
 from footfall.engine.shelf import Shelf
-from footfall.engine.state import GIVES_UP, STARTS_MUTED
+from footfall.engine.state import GIVES_UP, STARTS_MUTED, WAITING
 from footfall.errors import ArgumentError
 from footfall.sync.refusal import Refusal, foresee
 from footfall.sync.search_memory import SearchMemories
@@ -41,9 +42,9 @@ def explain_wait(
     search: SearchMemories,
     rules: Rules,
     library: MotionLibrary,
-    seat: int,
+    action: int,
 ) -> Refusal:
-    """Say why the action of a seat waits, and how long.
+    """Say why an action waits, and how long.
 
     Args:
         shelf: The library, packed.
@@ -51,14 +52,21 @@ def explain_wait(
         search: Any working memory of the planner.
         rules: The rules of the planner.
         library: The library.
-        seat: The seat of the action.
+        action: Its id in the library.
+
+    Raises:
+        ArgumentError: If it does not wait.
     """
+    seats = np.flatnonzero((character["action"] == action) & (character["status"] == WAITING))
+    if len(seats) == 0:
+        name = library.actions[action].name
+        raise ArgumentError(f"{name!r} does not wait, so nothing explains why")
     window = copy_window(character, search)
     refusal = foresee(
         shelf.table,
         window,
         rules,
-        seat,
+        int(seats[0]),
         [library.actions[int(other)].name for other in character["action"]],
         elapsed=float(character["slot_progress"]),
     )

@@ -58,9 +58,8 @@ SAME_COST = 1e-9
 def plan_next_slot(table: SequenceTable, window: Window, rules: Rules) -> bool:
     """Move the window on by one slot, and decide the columns to come.
 
-    For the default planner `window.remaining` is already that of the phases of column 1, and
-    `footfall.sync.shares.finish_slot` has been called. Returns whether the new last column can
-    be played; of the default planner every one can.
+    For the default planner `footfall.sync.shares.finish_slot` has been called, and then
+    `remaining` set for column 1. Returns whether the new last column can be played.
     """
     if not rules.replans:
         return paper.enter_next_slot(table, window, rules)
