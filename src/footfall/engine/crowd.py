@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from footfall.adaptation import Plane
-from footfall.arrays import Indices, Positions, Rotations, Supports
+from footfall.arrays import Positions, Rotations, Supports
 from footfall.engine.commands import NO_SEAT, start_row, stop_row
 from footfall.engine.library import MotionLibrary
 from footfall.engine.pipeline import advance_rows
@@ -96,9 +96,6 @@ class Crowd:
             self._shelf = self.library.shelf(self._planner)
             self._known = len(self.library.actions)
 
-    def _check_rows(self, rows: Rows) -> Indices:
-        return check_rows(rows, self.size)
-
     def _check_action(self, action: int) -> int:
         if not 0 <= action < len(self.library.actions):
             raise ArgumentError(
@@ -134,18 +131,12 @@ class Crowd:
         """
         check_patience(patience, late)
         action = self._check_action(action)
-        chosen = self._check_rows(rows)
+        chosen = check_rows(rows, self.size)
         started = np.zeros(len(chosen), dtype=np.bool_)
+        search, patience, then = self._work.search, float(patience), LATE[late]
         for place, row in enumerate(chosen):
             code = start_row(
-                self._shelf,
-                self._characters,
-                self._work.search,
-                self._rules,
-                int(row),
-                action,
-                float(patience),
-                LATE[late],
+                self._shelf, self._characters, search, self._rules, int(row), action, patience, then
             )
             if code == NO_SEAT:
                 raise ArgumentError(
@@ -162,7 +153,7 @@ class Crowd:
             ArgumentError: If the action or the row does not exist, or the action does not wait.
         """
         action = self._check_action(action)
-        me = self._characters[self._check_rows([row])[0]]
+        me = self._characters[check_rows([row], self.size)[0]]
         return explain_wait(self._shelf, me, self._work.search, self._rules, self.library, action)
 
     def stop(self, action: int, rows: Rows = None) -> None:
@@ -176,7 +167,7 @@ class Crowd:
             ArgumentError: If the action or a row does not exist.
         """
         action = self._check_action(action)
-        for row in self._check_rows(rows):
+        for row in check_rows(rows, self.size):
             stop_row(self._shelf, self._characters, int(row), action)
 
     def set_priority(
@@ -195,7 +186,7 @@ class Crowd:
         """
         action = self._check_action(action)
         values = parse_priority(priority)
-        for row in self._check_rows(rows):
+        for row in check_rows(rows, self.size):
             seats = (self._characters["action"][row] == action) & (
                 self._characters["status"][row] != EMPTY
             )
@@ -216,7 +207,7 @@ class Crowd:
         Raises:
             ArgumentError: If a row does not exist or a number is not finite.
         """
-        chosen = self._check_rows(rows)
+        chosen = check_rows(rows, self.size)
         place_characters(self._characters, chosen, position, heading)
 
     def advance(self, dt: float) -> None:

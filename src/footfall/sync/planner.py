@@ -1,13 +1,13 @@
 """The default planner: who goes on and who waits, chosen over a horizon of seconds.
 
 Motions keep their own speed and feet agree as far as both are possible (`footfall.sync.prices`).
-The search (`footfall.sync.look_ahead`) sees only columns that can be played, in which nobody is
-held for too long or made to run too fast or too slow. Where no such column is left, the first
+The search (`footfall.sync.look_ahead`) sees only columns that can be played, with nobody held
+too long or made to run too fast or too slow. Where no such column is left, the first
 action in order of priority that finds no room is *muted* (S-19): it plays on beside the others
 at its own speed, without a vote and without leg weight, until there is room for it again. The
 first of all always finds room, so a schedule never fails and nobody waits for ever.
 
-Everything but the slot being played is decided anew at each event (`footfall.sync.events`).
+All but the slot being played is decided anew at each event (`footfall.sync.events`).
 """
 
 from __future__ import annotations
@@ -40,8 +40,7 @@ __all__ = [
     "weigh_entry",
 ]
 
-REFUSED = -1
-"""What `plan_start` returns where no entry can be synchronized."""
+REFUSED = -1  # What `plan_start` returns where no entry can be synchronized.
 
 ENTERS, ON_THE_OTHER_FOOT, NO_ROOM, NEVER_LANDS = 0, 1, 2, 3
 """What `weigh_entry` returns: it can enter; it conflicts at once; later somebody would have to be
@@ -165,7 +164,7 @@ def _put_in(table: SequenceTable, window: Window, seat: int, entry: int, elapsed
 
 @inner_kernel
 def plan(table: SequenceTable, window: Window, rules: Rules) -> None:
-    """Decide every column but the present one, and how long they last; mute who finds no room."""
+    """Decide every column but the present one and how long they last; mute who finds no room."""
     combine_column(table, window, rules, FIRST)
     memory = window.search[0]
     if _lanes_of(table, window, rules) == 0:
