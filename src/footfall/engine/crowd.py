@@ -118,16 +118,14 @@ class Crowd:
             action: Its id in the library.
             rows: Which characters: row numbers, a mask, or None for all.
             patience: How long it waits at most [s], >= 0; for ever by default.
-            late: What becomes of a start that has waited so long: "give up", or "mute" to play
-                it at once without its legs, which rejoin as soon as there is room.
+            late: What becomes of it then: "give up", or "mute" to go on without its legs.
 
         Returns:
             Whether it runs now, for each of the rows; where not, it waits and starts as soon
             as it can be synchronized.
 
         Raises:
-            ArgumentError: If the action or a row does not exist, a character already has its
-                hands full, or the patience or what comes after it is none.
+            ArgumentError: If an argument is out of range, or a character has its hands full.
         """
         check_patience(patience, late)
         action = self._check_action(action)
@@ -150,7 +148,7 @@ class Crowd:
         """Say why an action of one character waits, and when it will start.
 
         Raises:
-            ArgumentError: If the action or the row does not exist, or the action does not wait.
+            ArgumentError: If it does not wait, or does not exist.
         """
         action = self._check_action(action)
         me = self._characters[check_rows([row], self.size)[0]]
@@ -207,8 +205,7 @@ class Crowd:
         Raises:
             ArgumentError: If a row does not exist or a number is not finite.
         """
-        chosen = check_rows(rows, self.size)
-        place_characters(self._characters, chosen, position, heading)
+        place_characters(self._characters, check_rows(rows, self.size), position, heading)
 
     def advance(self, dt: float) -> None:
         """Let time pass for everybody.
