@@ -150,8 +150,7 @@ class Crowd:
         Raises:
             ArgumentError: If it does not wait, or does not exist.
         """
-        action = self._check_action(action)
-        me = self._characters[check_rows([row], self.size)[0]]
+        me, action = self._characters[check_rows([row], self.size)[0]], self._check_action(action)
         return explain_wait(self._shelf, me, self._work.search, self._rules, self.library, action)
 
     def stop(self, action: int, rows: Rows = None) -> None:
