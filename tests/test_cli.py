@@ -9,6 +9,7 @@ import pytest
 
 import footfall as ff
 from footfall.cli import main
+from footfall.io import load_skinned, save_gltf, save_skinned
 from footfall.io.motion_formats import WRITERS
 from footfall.samples import sample_names
 
@@ -185,9 +186,9 @@ def test_what_a_file_does_not_say_is_said_by_an_option(tmp_path: Path, capsys: C
 
 
 def test_info_lists_the_animations_of_a_file(tmp_path: Path, capsys: Captured) -> None:
-    clip = ff.load_motion("sample:walk")[0] if hasattr(ff, "load_motion") else ff.sample("walk")[0]
-    ff.io.save_gltf(clip, tmp_path / "one.glb")
-    body = ff.io.load_skinned(tmp_path / "one.glb")
-    ff.io.save_skinned(body, [clip, clip.evolve(name="again")], tmp_path / "two.glb")
+    clip, _ = ff.sample("walk")
+    save_gltf(clip, tmp_path / "one.glb")
+    body = load_skinned(tmp_path / "one.glb")
+    save_skinned(body, [clip, clip.evolve(name="again")], tmp_path / "two.glb")
     assert main(["info", str(tmp_path / "two.glb")]) == 0
     assert f"animations   {clip.name}, again" in capsys.readouterr().out

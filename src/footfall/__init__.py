@@ -2,7 +2,7 @@
 
 from footfall.adaptation import Plane
 from footfall.detection import clean, detect_supports
-from footfall.engine import Character, Crowd, Frame, MotionLibrary, Started, Waiting
+from footfall.engine import Character, Crowd, Frame, Impossible, MotionLibrary, Started, Waiting
 from footfall.errors import FootfallError
 from footfall.io import load, load_supports, save, save_supports
 from footfall.motion import Clip
@@ -16,6 +16,7 @@ __all__ = [
     "Crowd",
     "FootfallError",
     "Frame",
+    "Impossible",
     "MotionLibrary",
     "Plane",
     "Skeleton",

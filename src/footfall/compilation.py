@@ -18,7 +18,7 @@ from typing import Any, TypeVar, cast
 import numba  # pyright: ignore[reportMissingTypeStubs]
 from numba.core import config as numba_config  # pyright: ignore[reportMissingTypeStubs]
 
-__all__ = ["inner_kernel", "kernel"]
+__all__ = ["inlined_kernel", "inner_kernel", "kernel"]
 
 Function = TypeVar("Function", bound=Callable[..., Any])
 
@@ -81,4 +81,15 @@ def inner_kernel(function: Function) -> Function:
         no_cpython_wrapper=True,
         no_cfunc_wrapper=True,
     )(function)
+    return cast(Function, compiled)
+
+
+def inlined_kernel(function: Function) -> Function:
+    """Copy a function into the kernel that calls it, before that is compiled.
+
+    For a step that has a name for the reader's sake and a single caller: compiled on its own it
+    would be translated together with everything below it, once more for each step of the way up.
+    """
+    njit: Any = numba.njit
+    compiled: Any = njit(nogil=True, error_model="numpy", inline="always")(function)
     return cast(Function, compiled)

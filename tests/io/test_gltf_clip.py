@@ -149,7 +149,9 @@ def test_a_clip_is_chosen_by_name_or_number(tmp_path: Path) -> None:
     with pytest.raises(UnknownNameError) as caught:
         load(f"{path}#Run")
     assert str(caught.value) == (f"no animation in {path} named 'Run'; there are: move, Walk/Loop")
-    with pytest.raises(ArgumentError, match=re.escape("animation= is for .glb, .gltf")):
+    with pytest.raises(
+        ArgumentError, match=re.escape("animation= is for .fbx, .fbx.gz, .glb, .gltf")
+    ):
         load(tmp_path / "a.bvh", animation=1)
 
 

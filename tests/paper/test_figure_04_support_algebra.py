@@ -10,7 +10,8 @@ import pytest
 from footfall.support import Support, SupportSequence, combine
 from footfall.sync import Synchronizer
 from footfall.sync.columns import combine_column
-from footfall.sync.tables import SequenceTable, Window, rules_of
+from footfall.sync.tables import SequenceTable, rules_of
+from footfall.sync.window import Window
 
 DS, RS, LS = Support.DOUBLE, Support.RIGHT, Support.LEFT
 ERR, NO = Support.CONFLICT, Support.FLIGHT

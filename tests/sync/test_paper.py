@@ -17,7 +17,8 @@ from footfall.scenario.schedule_problem import solve_problem
 from footfall.support import Support, SupportSequence
 from footfall.sync.columns import combine_column, support_of
 from footfall.sync.paper import precedes, synchronize_column, try_start
-from footfall.sync.tables import SequenceTable, Window, rules_of
+from footfall.sync.tables import SequenceTable, rules_of
+from footfall.sync.window import Window
 
 
 def running(

@@ -1,6 +1,6 @@
 """The stages in order; read `footfall.engine.pipeline` first."""
 
-from footfall.engine.character import Character, Started, Waiting
+from footfall.engine.character import Character, Impossible, Started, Waiting
 from footfall.engine.crowd import Crowd
 from footfall.engine.library import Action, MotionLibrary
 from footfall.engine.recording import Recorder, Recording
@@ -11,6 +11,7 @@ __all__ = [
     "Character",
     "Crowd",
     "Frame",
+    "Impossible",
     "MotionLibrary",
     "Recorder",
     "Recording",

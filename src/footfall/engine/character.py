@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
@@ -9,6 +10,7 @@ from typing import Any
 from footfall.adaptation import AnyGround
 from footfall.engine.crowd import Crowd
 from footfall.engine.library import MotionLibrary
+from footfall.engine.refusals import Late
 from footfall.engine.state import EMPTY, WAITING, Frame
 from footfall.errors import ArgumentError
 from footfall.motion import Clip
@@ -16,7 +18,7 @@ from footfall.skeleton import Skeleton
 from footfall.support import Support, SupportSequence
 from footfall.sync.tables import Planner
 
-__all__ = ["Character", "Started", "Waiting"]
+__all__ = ["Character", "Impossible", "Started", "Waiting"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,10 +34,20 @@ class Waiting:
     """The action cannot be synchronized now; it starts by itself as soon as it can."""
 
     reason: str
-    """What it waits for."""
+    """What it waits for and why, such as ``waits for 'walk' R→D, 0.31 s: L of 'hop' conflicts
+    with R of 'walk'``."""
 
-    until: float
-    """Clock time at which it is tried again: the next change of supports [s]."""
+    until: float | None
+    """Clock time at which it will start if no other command comes [s]; None if that is too far
+    to be foreseen."""
+
+
+@dataclass(frozen=True, slots=True)
+class Impossible(Waiting):
+    """The action can never start beside those that run: every joint state has been tried.
+
+    It waits for one of them to leave.
+    """
 
 
 class Character:
@@ -102,34 +114,35 @@ class Character:
             name, clip, supports, priority=priority, fade_in=fade_in, fade_out=fade_out
         )
 
-    def start(self, name: str) -> Started | Waiting:
+    def start(
+        self, name: str, *, patience: float = math.inf, late: Late = "give up"
+    ) -> Started | Waiting:
         """Start an action, or let it wait for its moment.
 
         Args:
             name: Which action.
+            patience: How long it waits at most [s], >= 0; for ever by default.
+            late: What becomes of a start that has waited so long: "give up", or "mute" to play
+                it at once without its legs, which rejoin as soon as there is room.
 
         Returns:
-            `Started`, or `Waiting` with the reason.
+            `Started`; `Waiting` with the reason and the expected moment; or `Impossible`, which
+            is a `Waiting` too, with the proof. `stop` cancels a wait.
 
         Raises:
             UnknownNameError: If there is no action of this name.
-            ArgumentError: If too many actions run at the same time.
+            ArgumentError: If too many actions run at the same time, or the patience or what
+                comes after it is none.
         """
         action = self.library.index(name)
         crowd = self.crowd
-        started = bool(crowd.start(action)[0])
-        me = crowd.characters[0]
-        clock = float(me["clock"])
+        started = bool(crowd.start(action, patience=patience, late=late)[0])
+        clock = float(crowd.characters[0]["clock"])
         if started:
             return Started(clock)
-        left = (1.0 - float(me["slot_progress"])) * float(me["slot_duration"])
-        own = self.library.actions[action].supports.phases[0].support
-        now = Support(int(me["support"]))
-        reason = (
-            f"{name!r} would begin on {own.symbol}, the body is on {now.symbol} and the phases "
-            f"to come cannot be arranged yet; it is tried again in {left:.2f} s"
-        )
-        return Waiting(reason, clock + left)
+        refusal = crowd.refusal(action, 0)
+        until = None if refusal.seconds is None else clock + refusal.seconds
+        return (Impossible if refusal.impossible else Waiting)(refusal.reason, until)
 
     def stop(self, name: str) -> None:
         """Let an action fade out, or cancel its wait.

@@ -6,15 +6,19 @@ advance is cut wherever a slot ends, so that a long frame and two short ones agr
 
 from __future__ import annotations
 
-from footfall.compilation import inner_kernel
+import math
+
+from footfall.compilation import inlined_kernel, inner_kernel
 from footfall.engine.durations import rebuild_warps, update_weights
+from footfall.engine.planning import replan
 from footfall.engine.record import SEATS, Character
 from footfall.engine.shelf import Shelf, support_at
 from footfall.engine.slots import begin_leaving, enter_slot
-from footfall.engine.starting import retry_waiting
-from footfall.engine.state import EMPTY, LEAVING, RUNNING
+from footfall.engine.starting import enter_muted, retry_waiting
+from footfall.engine.state import EMPTY, LEAVING, RUNNING, STARTS_MUTED, WAITING
 from footfall.skeleton import BodyPart
 from footfall.support import Support
+from footfall.sync.search_memory import SearchMemories
 from footfall.sync.tables import Rules
 from footfall.timing import advance_progress, warp
 
@@ -27,20 +31,25 @@ DOUBLE, FLIGHT = int(Support.DOUBLE), int(Support.FLIGHT)
 FADE_EASE = 0.1
 """Time that leg weights take to come to speed, and to rest, while one foot carries [s]."""
 
+MUTING = 0.2
+"""Time in which a muted action loses its leg weight, or gets it back [s]."""
+
 SAME_MOMENT = 1e-9
 """Clock times closer than this are one moment [s]."""
 
 
 @inner_kernel
-def pass_time(shelf: Shelf, me: Character, rules: Rules, dt: float) -> None:
+def pass_time(shelf: Shelf, me: Character, search: SearchMemories, rules: Rules, dt: float) -> None:
     """Let `dt` seconds pass on one character's clocks."""
+    if me.unsettled:
+        replan(shelf, me, search, rules)
     end = me.clock + dt
     while True:
         moving = _weights_move(me)
         if moving:
             update_weights(me)
             rebuild_warps(shelf, me)
-        step = end - me.clock
+        step = min(end, _next_deadline(me)) - me.clock
         slot_ends = False
         duration = me.slot_duration
         if me.synchronized and duration > 0.0:
@@ -53,20 +62,42 @@ def pass_time(shelf: Shelf, me: Character, rules: Rules, dt: float) -> None:
         if duration > 0.0:
             me.slot_progress += step / duration
         if slot_ends:
-            enter_slot(shelf, me, rules)
-        elif end - me.clock <= SAME_MOMENT:
+            enter_slot(shelf, me, search, rules)
+        _lose_patience(shelf, me, rules)
+        if end - me.clock <= SAME_MOMENT and not slot_ends:
             break
     me.clock = end
-    _settle(shelf, me, rules)
+    _settle(shelf, me, search, rules)
 
 
 @inner_kernel
 def _weights_move(me: Character) -> bool:
     for seat in range(SEATS):
         fading = me.fade_progress[seat, 0] < 1.0 or me.fade_progress[seat, 1] < 1.0
-        if me.status[seat] >= RUNNING and fading:
+        if me.status[seat] >= RUNNING and (fading or me.presence[seat] != 1 - me.muted[seat]):
             return True
     return False
+
+
+@inner_kernel
+def _next_deadline(me: Character) -> float:
+    """Return the clock time at which the first waiting start has waited long enough."""
+    soonest = math.inf
+    for seat in range(SEATS):
+        if me.status[seat] == WAITING:
+            soonest = min(soonest, max(me.patience[seat], me.clock))
+    return soonest
+
+
+@inner_kernel
+def _lose_patience(shelf: Shelf, me: Character, rules: Rules) -> None:
+    """Give up the starts that have waited long enough, or start them muted."""
+    for seat in range(SEATS):
+        if me.status[seat] == WAITING and me.patience[seat] <= me.clock + SAME_MOMENT:
+            if me.late[seat] == STARTS_MUTED:
+                enter_muted(shelf, me, rules, seat)
+            else:
+                me.status[seat] = EMPTY
 
 
 @inner_kernel
@@ -75,7 +106,7 @@ def _run_clips(shelf: Shelf, me: Character, step: float, slot_ends: bool) -> Non
     for seat in range(SEATS):
         if me.status[seat] < RUNNING:
             continue
-        if me.synchronized and me.playing[seat]:
+        if me.synchronized and me.playing[seat] and not me.muted[seat]:
             part = me.segment[seat]
             if slot_ends:
                 me.clip_time[seat] = part[4]
@@ -111,6 +142,12 @@ def _run_fades(me: Character, step: float) -> None:
         if me.status[seat] < RUNNING:
             continue
         asked = me.fade_asked[seat]
+        change = step / MUTING
+        me.presence[seat] = (
+            max(me.presence[seat] - change, 0.0)
+            if me.muted[seat]
+            else min(me.presence[seat] + change, 1.0)
+        )
         for group in range(2):
             me.fade_progress[seat, group] = advance_progress(
                 me.fade_progress[seat, group],
@@ -147,8 +184,8 @@ def _fade_pace(me: Character, step: float) -> float:
     return pace * pace * (3.0 - 2.0 * pace)
 
 
-@inner_kernel
-def _settle(shelf: Shelf, me: Character, rules: Rules) -> None:
+@inlined_kernel
+def _settle(shelf: Shelf, me: Character, search: SearchMemories, rules: Rules) -> None:
     """Let go what has faded out beside the schedule, and say what carries the body."""
     standing = True
     for seat in range(SEATS):
@@ -160,7 +197,7 @@ def _settle(shelf: Shelf, me: Character, rules: Rules) -> None:
             standing = False
     if standing and me.synchronized:
         me.slot_duration = 0.0
-        retry_waiting(shelf, me, rules)
+        retry_waiting(shelf, me, search, rules)
     update_weights(me)
     me.support = _present_support(shelf, me)
 

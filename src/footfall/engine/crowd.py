@@ -2,27 +2,33 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+import math
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
 from footfall.adaptation import AnyGround, Plane, pack_ground
-from footfall.arrays import Indices, Positions, Rotations, Supports
+from footfall.arrays import Positions, Rotations, Supports
 from footfall.engine.commands import NO_SEAT, start_row, stop_row
 from footfall.engine.library import MotionLibrary
 from footfall.engine.pipeline import advance_rows
 from footfall.engine.priorities import parse_priority
 from footfall.engine.record import SEATS
-from footfall.engine.state import EMPTY, new_characters, new_workspace
+from footfall.engine.refusals import LATE, Late, check_patience, explain_wait
+from footfall.engine.rows import Rows, check_rows, place_characters
+from footfall.engine.state import (
+    EMPTY,
+    new_characters,
+    new_workspace,
+)
 from footfall.errors import ArgumentError, SkeletonError
 from footfall.skeleton import Skeleton
+from footfall.sync.refusal import Refusal
 from footfall.sync.tables import Planner, rules_of
 
 __all__ = ["Crowd"]
-
-Rows = Sequence[int] | npt.NDArray[Any] | None
 
 
 class Crowd:
@@ -100,23 +106,6 @@ class Crowd:
             self._shelf = self.library.shelf(self._planner)
             self._known = len(self.library.actions)
 
-    def _check_rows(self, rows: Rows) -> Indices:
-        if rows is None:
-            return np.arange(self.size)
-        chosen = np.asarray(rows)
-        if chosen.dtype == np.bool_ and chosen.shape == (self.size,):
-            return np.flatnonzero(chosen)
-        if chosen.ndim != 1 or (chosen.size and not np.issubdtype(chosen.dtype, np.integer)):
-            raise ArgumentError(
-                f"rows of shape {chosen.shape} and type {chosen.dtype}; a list of row numbers or "
-                f"a mask of shape ({self.size},) is needed"
-            )
-        if chosen.size and not (chosen.min() >= 0 and chosen.max() < self.size):
-            raise ArgumentError(
-                f"rows {chosen.min()}..{chosen.max()}; this crowd has rows 0..{self.size - 1}"
-            )
-        return chosen.astype(np.int64)
-
     def _check_action(self, action: int) -> int:
         if not 0 <= action < len(self.library.actions):
             raise ArgumentError(
@@ -125,26 +114,38 @@ class Crowd:
         self._refresh()
         return action
 
-    def start(self, action: int, rows: Rows = None) -> npt.NDArray[np.bool_]:
+    def start(
+        self,
+        action: int,
+        rows: Rows = None,
+        *,
+        patience: float = math.inf,
+        late: Late = "give up",
+    ) -> npt.NDArray[np.bool_]:
         """Start an action, or let it wait for its moment.
 
         Args:
             action: Its id in the library.
             rows: Which characters: row numbers, a mask, or None for all.
+            patience: How long it waits at most [s], >= 0; for ever by default.
+            late: What becomes of it then: "give up", or "mute" to go on without its legs.
 
         Returns:
             Whether it runs now, for each of the rows; where not, it waits and starts as soon
             as it can be synchronized.
 
         Raises:
-            ArgumentError: If the action or a row does not exist, or a character already has
-                its hands full.
+            ArgumentError: If an argument is out of range, or a character has its hands full.
         """
+        check_patience(patience, late)
         action = self._check_action(action)
-        chosen = self._check_rows(rows)
+        chosen = check_rows(rows, self.size)
         started = np.zeros(len(chosen), dtype=np.bool_)
+        search, patience, then = self._work.search, float(patience), LATE[late]
         for place, row in enumerate(chosen):
-            code = start_row(self._shelf, self._characters, self._rules, int(row), action)
+            code = start_row(
+                self._shelf, self._characters, search, self._rules, int(row), action, patience, then
+            )
             if code == NO_SEAT:
                 raise ArgumentError(
                     f"character {row} already has {SEATS} actions running, waiting or fading; "
@@ -152,6 +153,15 @@ class Crowd:
                 )
             started[place] = code > 0
         return started
+
+    def refusal(self, action: int, row: int) -> Refusal:
+        """Say why an action of one character waits, and when it will start.
+
+        Raises:
+            ArgumentError: If it does not wait, or does not exist.
+        """
+        me, action = self._characters[check_rows([row], self.size)[0]], self._check_action(action)
+        return explain_wait(self._shelf, me, self._work.search, self._rules, self.library, action)
 
     def stop(self, action: int, rows: Rows = None) -> None:
         """Let an action fade out, or cancel its waiting start.
@@ -164,7 +174,7 @@ class Crowd:
             ArgumentError: If the action or a row does not exist.
         """
         action = self._check_action(action)
-        for row in self._check_rows(rows):
+        for row in check_rows(rows, self.size):
             stop_row(self._shelf, self._characters, int(row), action)
 
     def set_priority(
@@ -183,12 +193,13 @@ class Crowd:
         """
         action = self._check_action(action)
         values = parse_priority(priority)
-        for row in self._check_rows(rows):
+        for row in check_rows(rows, self.size):
             seats = (self._characters["action"][row] == action) & (
                 self._characters["status"][row] != EMPTY
             )
             self._characters["priorities"][row, seats] = values
             self._characters["priority"][row, seats] = values[0]
+            self._characters["unsettled"][row] = True
 
     def place(
         self, position: npt.ArrayLike, heading: npt.ArrayLike = 0.0, rows: Rows = None
@@ -203,16 +214,7 @@ class Crowd:
         Raises:
             ArgumentError: If a row does not exist or a number is not finite.
         """
-        chosen = self._check_rows(rows)
-        places = np.broadcast_to(np.asarray(position, dtype=np.float64), (len(chosen), 2))
-        headings = np.broadcast_to(np.asarray(heading, dtype=np.float64), (len(chosen),))
-        if not (np.isfinite(places).all() and np.isfinite(headings).all()):
-            raise ArgumentError("a position or heading is not finite; finite numbers are needed")
-        self._characters["root"][chosen, :2] = places
-        self._characters["root"][chosen, 2] = headings
-        for field in ("foot_offset", "foot_velocity", "toe_velocity"):
-            self._characters[field][chosen] = 0.0
-        self._characters["placed"][chosen] = True
+        place_characters(self._characters, check_rows(rows, self.size), position, heading)
 
     def advance(self, dt: float) -> None:
         """Let time pass for everybody.

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import cast
 
 import numpy as np
@@ -11,7 +12,10 @@ from footfall.engine.record import SEATS, Character
 from footfall.engine.shelf import Shelf, phase_end, phase_start
 from footfall.engine.state import LEAVING, RUNNING
 from footfall.skeleton import BodyPart
-from footfall.sync.columns import has_ended
+from footfall.support import Support
+from footfall.sync.columns import has_ended, support_of
+from footfall.sync.prices import FLIGHT_VOTE, GREATEST_RATE, LEAST_RATE
+from footfall.sync.tables import ENDED_NEUTRAL
 from footfall.timing import (
     end_slope,
     end_slope_paper,
@@ -20,16 +24,14 @@ from footfall.timing import (
     slot_duration,
 )
 
-__all__ = ["GREATEST_RATE", "rebuild_warps", "set_target", "update_weights"]
+__all__ = ["rebuild_warps", "set_target", "update_weights"]
 
 LEGS = int(BodyPart.LEGS)
 
-# Typed numbers: a literal would have everything that it is passed to compiled twice.
-THIS_SLOT, NEXT_SLOT = cast(int, np.int64(0)), cast(int, np.int64(1))
+FLIGHT = int(Support.FLIGHT)
 
-GREATEST_RATE = 2.5
-"""A slot lasts so long that no clip has to run faster than this on average, whatever its weight:
-one that has just entered has none yet, and must not rush through its first phase."""
+# A typed number: a literal would have everything that it is passed to compiled twice.
+THIS_SLOT = cast(int, np.int64(0))
 
 LAST_SLOT = 0.1
 """How long a slot lasts in which every action has ended [s]."""
@@ -47,17 +49,26 @@ def update_weights(me: Character) -> None:
                 levels[seat] = level(progress)
             elif me.status[seat] == LEAVING:
                 levels[seat] = 1.0 - level(progress)
+            if group == 0:
+                levels[seat] *= level(me.presence[seat])
         if group == 0:
             normalize_weights(me.priorities[:, :1], levels, me.weights[:, :1])
         else:
             normalize_weights(me.priorities[:, 1:], levels, me.weights[:, 1:])
     for seat in range(SEATS):
-        me.weight[seat] = me.weights[seat, LEGS]
+        # What is to come, for the planner: a start is at its full weight soon, a stop has less.
+        fading = me.status[seat] == LEAVING
+        share = 1.0 - level(me.fade_progress[seat, 0]) if fading else 1.0
+        me.weight[seat] = me.priority[seat] * share
 
 
 @inner_kernel
 def set_target(shelf: Shelf, me: Character, seat: int) -> None:
-    """Set how far an action's clip goes in this slot: its phase, split over its columns (S-20)."""
+    """Set how far an action's clip goes in this slot.
+
+    To the end of its phase, or, where that is held, as far as the planner lets it; in paper mode
+    as far as its even share over the decided columns (S-20).
+    """
     phase = me.phases[seat, 0]
     clip_time = me.clip_time[seat]
     if has_ended(shelf.table, me.sequence[seat], phase):
@@ -66,8 +77,11 @@ def set_target(shelf: Shelf, me: Character, seat: int) -> None:
         me.rate[seat] = 0.0
         return
     end = phase_end(shelf.entries[me.action[seat]], shelf.phase_starts, phase)
-    columns = _columns_of(me, seat, THIS_SLOT)
-    part = max(end - clip_time, 0.0) / columns
+    part = max(end - clip_time, 0.0)
+    if shelf.use_paper_cubic:
+        part /= _columns_of(me, seat, THIS_SLOT)
+    elif me.phases[seat, 1] == phase:
+        part = min(part, me.pace[seat, 0] * me.durations[0])
     me.target[seat] = clip_time + part
     me.natural[seat] = part / (1.0 - me.slot_progress)
     if shelf.use_paper_cubic:
@@ -92,15 +106,14 @@ def _columns_of(me: Character, seat: int, column: int) -> int:
 @inner_kernel
 def rebuild_warps(shelf: Shelf, me: Character) -> None:
     """Set the slot's duration (eq. 6) and build every time warp anew from now (section 5.3)."""
-    duration = _duration(shelf, me, THIS_SLOT)
+    duration = _duration(shelf, me)
     me.slot_duration = duration
     if duration <= 0.0:
         return
-    following = _duration(shelf, me, NEXT_SLOT)
     now = me.clock
     left = (1.0 - me.slot_progress) * duration
     for seat in range(SEATS):
-        if not me.playing[seat]:
+        if not me.playing[seat] or me.muted[seat]:
             continue
         segment = me.segment[seat]
         segment[0] = now
@@ -112,46 +125,42 @@ def rebuild_warps(shelf: Shelf, me: Character) -> None:
         if shelf.use_paper_cubic:
             segment[5] = end_slope_paper(mean, segment[2])
             continue
-        ahead = _vote(shelf, me, seat, NEXT_SLOT)
+        ahead = me.pace[seat, 1]
         # An action that ends there goes on at its speed: a clip alone plays as it was.
-        segment[5] = end_slope(mean, ahead / following) if ahead > 0.0 else mean
+        segment[5] = end_slope(mean, ahead) if ahead > 0.0 else mean
 
 
 @inner_kernel
-def _duration(shelf: Shelf, me: Character, column: int) -> float:
-    """Return how long this slot (column 0) or the next one lasts at the present weights [s]."""
+def _duration(shelf: Shelf, me: Character) -> float:
+    """Return how long this slot lasts at the present weights [s] (eq. 6).
+
+    In paper mode everybody votes. The planner has those vote who go on at the end of the slot,
+    flights more than others, and has its own opinion in `slot_offset`.
+    """
+    planned = not shelf.use_paper_cubic
     voters = 0
     anybody = False
+    soonest, latest = 0.0, math.inf
     for seat in range(SEATS):
-        if me.playing[seat]:
-            anybody = True
-            vote = _vote(shelf, me, seat, column)
-            if vote > 0.0:
-                me.votes[voters] = vote
-                me.shares[voters] = me.weights[seat, LEGS]
-                voters += 1
+        if not me.playing[seat]:
+            continue
+        anybody = True
+        vote = me.natural[seat]
+        if me.muted[seat] or vote <= 0.0:
+            continue
+        soonest = max(soonest, vote / GREATEST_RATE)
+        latest = min(latest, vote / LEAST_RATE)
+        phase = me.phases[seat, 0]
+        if planned and me.phases[seat, 1] == phase:
+            continue
+        support = support_of(shelf.table, me.sequence[seat], phase, ENDED_NEUTRAL)
+        flies = planned and support == FLIGHT
+        me.votes[voters] = vote
+        me.shares[voters] = me.weights[seat, LEGS] * (FLIGHT_VOTE if flies else 1.0)
+        voters += 1
     if voters == 0:
         return LAST_SLOT if anybody else 0.0
     duration = slot_duration(me.shares, me.votes, voters)
-    if shelf.use_paper_cubic:
+    if not planned:
         return duration
-    for voter in range(voters):
-        duration = max(duration, me.votes[voter] / GREATEST_RATE)
-    return duration
-
-
-@inner_kernel
-def _vote(shelf: Shelf, me: Character, seat: int, column: int) -> float:
-    """Return what one action says a slot should last [s]; 0 from an ended one."""
-    if column == 0:
-        return me.natural[seat]
-    phase = me.phases[seat, column]
-    if has_ended(shelf.table, me.sequence[seat], phase):
-        return 0.0
-    entry = shelf.entries[me.action[seat]]
-    columns = _columns_of(me, seat, column)
-    end = phase_end(entry, shelf.phase_starts, phase)
-    if phase == me.phases[seat, 0] and not shelf.use_paper_cubic:
-        return max(end - me.target[seat], 0.0) / columns
-    own = end - phase_start(entry, shelf.phase_starts, phase)
-    return own if shelf.use_paper_cubic else own / columns
+    return max(min(duration + me.slot_offset[0], latest), soonest)

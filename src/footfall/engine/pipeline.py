@@ -13,7 +13,7 @@ import numpy.typing as npt
 
 from footfall.adaptation.surfaces import Ground
 from footfall.arrays import Positions, Rotations
-from footfall.compilation import inner_kernel, kernel
+from footfall.compilation import inlined_kernel, kernel
 from footfall.engine.clock import pass_time
 from footfall.engine.feet import locate_feet, stand_where_planted
 from footfall.engine.placing import place_body, write_world
@@ -31,7 +31,7 @@ LONGEST_STEP = 1.0 / 30.0
 """Longest time between two poses [s]; a longer advance is cut into equal steps."""
 
 
-@inner_kernel
+@inlined_kernel
 def _advance_row(
     shelf: Shelf,
     ground: Ground,
@@ -43,7 +43,7 @@ def _advance_row(
 ) -> None:
     """Advance one character by `dt` seconds, at most `LONGEST_STEP`."""
     # 1-3. Which phases are played together, how long they last, what time it is in each clip.
-    pass_time(shelf, me, rules, dt)
+    pass_time(shelf, me, work.search, rules, dt)
     # 4. The pose of each clip at that time, and their weighted mean, free of any body.
     blend_poses(shelf, rig, me, work)
     # 5. The feet of that mean; where nothing plays they stand where they were planted.

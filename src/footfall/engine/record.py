@@ -88,6 +88,9 @@ class Character:
     slot_duration: float
     """How long the slot lasts at the present weights; 0 where nothing is synchronized."""
 
+    unsettled: bool
+    """Whether a stop or a change of priority calls for a new plan."""
+
     status: Annotated[Indices, SEATS]
     """`EMPTY`, `WAITING`, `RUNNING` or `LEAVING`, shape (seats,)."""
 
@@ -105,6 +108,16 @@ class Character:
 
     fade_elapsed: Annotated[Seconds, SEATS, 2]
     """How long it has taken so far, likewise [s]."""
+
+    presence: Annotated[Floats, SEATS]
+    """How much of its leg weight a muted action keeps, on its way to 0, and of another one on
+    its way to 1, shape (seats,)."""
+
+    patience: Annotated[Seconds, SEATS]
+    """Clock time until which a start waits [s], shape (seats,)."""
+
+    late: Annotated[Indices, SEATS]
+    """What becomes of it then: `GIVES_UP` or `STARTS_MUTED`, shape (seats,)."""
 
     clip_time: Annotated[Seconds, SEATS]
     """Where each clip is, past its end too [s], shape (seats,)."""
@@ -173,6 +186,12 @@ class Character:
     remaining: Annotated[Seconds, SEATS]
     phases: Annotated[Indices, SEATS, COLUMNS]
     results: Annotated[Supports, COLUMNS]
+    held: Annotated[Indices, SEATS]
+    muted: Annotated[Flags, SEATS]
+    durations: Annotated[Seconds, COLUMNS]
+    pace: Annotated[Floats, SEATS, 2]
+    slot_offset: Annotated[Seconds, 1]
+    steady: Annotated[Seconds, 1]
     spare_phases: Annotated[Indices, SEATS, COLUMNS]
     spare_results: Annotated[Supports, COLUMNS]
     effectors: Annotated[Floats, 7]

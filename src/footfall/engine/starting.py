@@ -6,45 +6,30 @@ from typing import cast
 
 import numpy as np
 
-from footfall.compilation import inner_kernel
-from footfall.engine.durations import GREATEST_RATE, rebuild_warps, set_target, update_weights
+from footfall.compilation import inlined_kernel, inner_kernel
+from footfall.engine.durations import rebuild_warps, set_target, update_weights
+from footfall.engine.planning import follow_plan, measure_remaining, window_of
 from footfall.engine.record import SEATS, Character
 from footfall.engine.shelf import Shelf, key_at, phase_end, phase_start, read_points
 from footfall.engine.state import RUNNING, WAITING
 from footfall.skeleton import BodyPart
-from footfall.sync.planner import REFUSED, start_action
-from footfall.sync.tables import Rules, Window
+from footfall.sync.planner import REFUSED, plan_start
+from footfall.sync.search_memory import SearchMemories
+from footfall.sync.tables import Rules
 
-__all__ = ["NONE", "enter_action", "retry_waiting", "window_of"]
+__all__ = ["NONE", "enter_action", "enter_muted", "retry_waiting"]
 
 LEGS = int(BodyPart.LEGS)
 
-# A typed number: a literal would have everything that it is passed to compiled twice.
-NONE = cast(int, np.int64(-1))
+# Typed numbers: a literal would have everything that it is passed to compiled twice.
+NONE, PRESENT = cast(int, np.int64(-1)), cast(int, np.int64(0))
 
 GREATEST_SQUEEZE = 3.0
 """Rate beyond which a first phase is not squeezed into the rest of a slot (S-13)."""
 
 
 @inner_kernel
-def window_of(me: Character) -> Window:
-    """Return the synchronizer's window on one character, without a copy."""
-    return Window(
-        me.playing,
-        me.sequence,
-        me.priority,
-        me.age,
-        me.weight,
-        me.remaining,
-        me.phases,
-        me.results,
-        me.spare_phases,
-        me.spare_results,
-    )
-
-
-@inner_kernel
-def retry_waiting(shelf: Shelf, me: Character, rules: Rules) -> None:
+def retry_waiting(shelf: Shelf, me: Character, search: SearchMemories, rules: Rules) -> None:
     """Try every waiting start again, the oldest command first (section 5.1)."""
     for _ in range(SEATS):
         oldest = NONE
@@ -55,7 +40,7 @@ def retry_waiting(shelf: Shelf, me: Character, rules: Rules) -> None:
                 oldest = seat
         if oldest < 0:
             break
-        if not enter_action(shelf, me, rules, oldest):
+        if not enter_action(shelf, me, search, rules, oldest):
             me.fade_elapsed[oldest, 0] = -1.0
     for seat in range(SEATS):
         if me.status[seat] == WAITING:
@@ -63,15 +48,39 @@ def retry_waiting(shelf: Shelf, me: Character, rules: Rules) -> None:
 
 
 @inner_kernel
-def enter_action(shelf: Shelf, me: Character, rules: Rules, seat: int) -> bool:
+def enter_action(
+    shelf: Shelf, me: Character, search: SearchMemories, rules: Rules, seat: int
+) -> bool:
     """Start the action of a seat now, if it can be synchronized; return whether it was."""
-    action = me.action[seat]
+    me.muted[seat] = False
     if me.synchronized and me.priorities[seat, LEGS] > 0.0:
-        if not _synchronize(shelf, me, rules, seat):
+        if not _synchronize(shelf, me, search, rules, seat):
             return False
     else:
         me.clip_time[seat] = 0.0
         me.rate[seat] = 1.0
+    me.presence[seat] = 1.0
+    _begin(shelf, me, rules, seat)
+    return True
+
+
+@inner_kernel
+def enter_muted(shelf: Shelf, me: Character, rules: Rules, seat: int) -> None:
+    """Start an action without its legs: it rejoins the schedule as soon as there is room."""
+    me.clip_time[seat] = 0.0
+    me.rate[seat] = 1.0
+    me.presence[seat] = 0.0
+    me.muted[seat] = True
+    me.playing[seat] = rules.replans
+    me.held[seat] = 0
+    me.phases[seat, 0] = 0
+    _begin(shelf, me, rules, seat)
+
+
+@inner_kernel
+def _begin(shelf: Shelf, me: Character, rules: Rules, seat: int) -> None:
+    """Let an action run that has its clip time, and fade in."""
+    action = me.action[seat]
     me.status[seat] = RUNNING
     me.fade_asked[seat] = shelf.entries[action].fade_in
     for group in range(2):
@@ -81,58 +90,47 @@ def enter_action(shelf: Shelf, me: Character, rules: Rules, seat: int) -> bool:
     frame, fraction, _ = key_at(shelf.entries[action], me.clip_time[seat])
     read_points(shelf, frame, fraction, me.seat_points[seat])
     update_weights(me)
-    rebuild_warps(shelf, me)
-    return True
+    if rules.replans and me.playing[seat] and not me.muted[seat]:
+        follow_plan(shelf, me)
+    else:
+        rebuild_warps(shelf, me)
 
 
-@inner_kernel
-def _synchronize(shelf: Shelf, me: Character, rules: Rules, seat: int) -> bool:
+@inlined_kernel
+def _synchronize(
+    shelf: Shelf, me: Character, search: SearchMemories, rules: Rules, seat: int
+) -> bool:
     """Find an action its place in the schedule, and its clip the time that belongs there."""
-    action = me.action[seat]
-    window = window_of(me)
+    entry = shelf.entries[me.action[seat]]
     alone = True
     for other in range(SEATS):
         if me.playing[other]:
             alone = False
-    anywhere = rules.enters_anywhere and shelf.entries[action].cyclic
     if alone:
         me.slot_progress = 0.0
-    elif not anywhere:
-        first = phase_end(shelf.entries[action], shelf.phase_starts, 0) - phase_start(
-            shelf.entries[action], shelf.phase_starts, 0
-        )
+        me.steady[0] = 0.0
+    elif not rules.replans:
+        first = phase_end(entry, shelf.phase_starts, 0) - phase_start(entry, shelf.phase_starts, 0)
         left = (1.0 - me.slot_progress) * me.slot_duration
         if first > GREATEST_SQUEEZE * left:
             return False
     elapsed = me.slot_progress
-    _prepare_costs(shelf, me, seat)
-    phase = start_action(shelf.table, window, rules, seat, elapsed)
+    update_weights(me)
+    measure_remaining(shelf, me, PRESENT)
+    phase = plan_start(shelf.table, window_of(me, search), rules, seat, elapsed)
     if phase == REFUSED:
-        update_weights(me)
         return False
-    begin = phase_start(shelf.entries[action], shelf.phase_starts, phase)
-    end = phase_end(shelf.entries[action], shelf.phase_starts, phase)
+    begin = phase_start(entry, shelf.phase_starts, phase)
+    end = phase_end(entry, shelf.phase_starts, phase)
+    anywhere = rules.enters_anywhere and entry.cyclic
     me.clip_time[seat] = begin + elapsed * (end - begin) if anywhere else begin
+    if rules.replans:
+        me.rate[seat] = me.pace[seat, 0]
+        return True
     for other in range(SEATS):
         if me.playing[other]:
             set_target(shelf, me, other)
-    duration = me.natural[seat] if alone else me.slot_duration
-    if not shelf.use_paper_cubic:
-        duration = max(duration, me.natural[seat] / GREATEST_RATE)
-    left = (1.0 - elapsed) * duration
+    left = (1.0 - elapsed) * (me.natural[seat] if alone else me.slot_duration)
     reach = me.target[seat] - me.clip_time[seat]
     me.rate[seat] = reach / left if left > 0.0 else 1.0
     return True
-
-
-@inner_kernel
-def _prepare_costs(shelf: Shelf, me: Character, seat: int) -> None:
-    """Tell the planner the weights to come and what is left of every phase."""
-    for other in range(SEATS):
-        if me.playing[other]:
-            me.weight[other] = me.priority[other]
-            end = phase_end(
-                shelf.entries[me.action[other]], shelf.phase_starts, me.phases[other, 0]
-            )
-            me.remaining[other] = max(end - me.clip_time[other], 1e-3)
-    me.weight[seat] = me.priority[seat]

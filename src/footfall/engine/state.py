@@ -10,12 +10,15 @@ import numpy.typing as npt
 from footfall.arrays import Positions, Rotations
 from footfall.engine.record import COLUMNS, SEATS, Character
 from footfall.support import Support
+from footfall.sync.search_memory import new_search_memory
 from footfall.sync.tables import ABSENT
 
 __all__ = [
     "EMPTY",
+    "GIVES_UP",
     "LEAVING",
     "RUNNING",
+    "STARTS_MUTED",
     "WAITING",
     "Frame",
     "Workspace",
@@ -28,8 +31,15 @@ EMPTY, WAITING, RUNNING, LEAVING = 0, 1, 2, 3
 """What `Character.status` says of a seat."""
 
 
+GIVES_UP, STARTS_MUTED = 0, 1
+"""What `Character.late` says of a seat."""
+
+
 class Workspace(NamedTuple):
-    """Memory in which one pose is worked out; one a thread."""
+    """Memory to work in; one a thread."""
+
+    search: npt.NDArray[Any]
+    """That of the planner: one `footfall.sync.search_memory.SearchMemory`."""
 
     turned: Rotations
     """Blended rotations, joints then feet, shape (joints + 2, 4)."""
@@ -92,5 +102,7 @@ def new_characters(rows: int, lookahead: int) -> npt.NDArray[Any]:
 
 
 def new_workspace(joints: int) -> Workspace:
-    """Return the memory in which one thread works out poses."""
-    return Workspace(np.zeros((joints + 2, 4)), np.zeros((joints, 4)), np.zeros((joints, 3)))
+    """Return the memory in which one thread works."""
+    return Workspace(
+        new_search_memory(), np.zeros((joints + 2, 4)), np.zeros((joints, 4)), np.zeros((joints, 3))
+    )

@@ -11,7 +11,15 @@ from typing import Any, TypeVar, cast
 
 from footfall.errors import ScenarioError, SupportSequenceError
 from footfall.support import SupportSequence
-from footfall.sync.tables import Ended, Planner, Rules, StartPolicy, check_registration, rules_of
+from footfall.sync.tables import (
+    Ended,
+    Planner,
+    Rules,
+    StartPolicy,
+    check_limbs,
+    check_registration,
+    rules_of,
+)
 
 __all__ = ["ScheduleProblem", "parse_timed"]
 
@@ -66,6 +74,7 @@ class ScheduleProblem:
             except SupportSequenceError as error:
                 raise ScenarioError(f"sequences[{i}], {text!r}: {error}") from error
         rules_of(self.planner, start_policy=self.start_policy, ended=self.ended)
+        check_limbs([parse_timed(text)[0] for text in self.sequences], self.planner)
 
     @classmethod
     def of(cls, fields: Mapping[str, Any]) -> ScheduleProblem:
@@ -111,7 +120,7 @@ def parse_timed(text: str) -> tuple[SupportSequence, bool]:
     sequence = SupportSequence.parse(text)
     check_registration(sequence)
     tokens = text.strip().removesuffix("*").split()
-    return sequence, all(len(token) > 1 for token in tokens)
+    return sequence, all(token[-1] in "0123456789." for token in tokens)
 
 
 def _check_names(fields: Mapping[str, Any], known: Collection[str]) -> None:

@@ -23,7 +23,8 @@ from footfall.scenario.schedule_fields import ScheduleProblem, parse_timed
 from footfall.scenario.schedule_run import play_commands
 from footfall.support import Support
 from footfall.sync.synchronizer import Synchronizer
-from footfall.sync.tables import ABSENT, SequenceTable, Window
+from footfall.sync.tables import ABSENT, SequenceTable
+from footfall.sync.window import Window
 
 __all__ = ["ScheduleProblem", "describe_problem", "solve", "solve_batch", "solve_problem"]
 
@@ -67,6 +68,7 @@ def solve(problem: ScheduleProblem) -> dict[str, Any]:
     window.weight[:] = problem.priorities
     started = np.full(count, ABSENT, dtype=np.int64)
     own = np.empty((count, problem.slots), dtype=np.int64)
+    muted = np.zeros((count, problem.slots), dtype=np.bool_)
     results = np.empty(problem.slots, dtype=np.int64)
     durations = np.empty(problem.slots)
     played = play_commands(
@@ -77,6 +79,7 @@ def solve(problem: ScheduleProblem) -> dict[str, Any]:
         np.array(problem.start, dtype=np.int64),
         started,
         own,
+        muted,
         results,
         durations,
         np.empty(count),
@@ -91,7 +94,7 @@ def solve(problem: ScheduleProblem) -> dict[str, Any]:
         "rows": rows,
         "started": [None if slot == ABSENT else slot for slot in started.tolist()],
         "durations": _seconds(durations[:played]) if timed else None,
-        "muted": None,
+        "muted": muted[:, :played].tolist() if muted[:, :played].any() else None,
         "error": _failure(problem, rows) if failed else None,
     }
 

@@ -4,14 +4,15 @@ from __future__ import annotations
 
 import math
 
-from footfall.arrays import Indices, Seconds, Supports, Weights
+from footfall.arrays import Flags, Indices, Seconds, Supports, Weights
 from footfall.compilation import kernel
 from footfall.support import Support
 from footfall.sync.columns import own_phase
-from footfall.sync.paper import enter_next_slot
-from footfall.sync.planner import REFUSED, release_action, start_action
-from footfall.sync.shares import column_share, natural_duration, spend_slot
-from footfall.sync.tables import ABSENT, ENDED_NEUTRAL, Rules, SequenceTable, Window
+from footfall.sync.events import enter_next_slot, release_action, start_action
+from footfall.sync.planner import REFUSED
+from footfall.sync.shares import natural_duration, spend_slot
+from footfall.sync.tables import ABSENT, Rules, SequenceTable
+from footfall.sync.window import Window
 from footfall.timing.weights import slot_duration
 
 __all__ = ["play_commands"]
@@ -29,6 +30,7 @@ def play_commands(
     commands: Indices,
     started: Indices,
     rows: Indices,
+    muted: Flags,
     results: Supports,
     durations: Seconds,
     shares: Weights,
@@ -45,6 +47,7 @@ def play_commands(
         started: The slot in which each action started, or -1; written, shape (actions,).
         rows: Each action's phase as an index into its own list, `ABSENT` while it does not
             play; written, shape (actions, slots).
+        muted: Whether it is muted there; written, shape (actions, slots).
         results: The combined support of each slot; written, shape (slots,).
         durations: How long each slot lasts; NaN where nobody votes or the
             rule failed; written, shape (slots,).
@@ -70,16 +73,20 @@ def play_commands(
                         activations += 1
         results[slot] = window.results[0]
         for seat in range(order.shape[0]):
-            rows[seat, slot] = (
-                own_phase(table, window.sequence[seat], window.phases[seat, 0], rules.ended)
-                if window.playing[seat]
-                else ABSENT
-            )
+            rows[seat, slot] = _own_index(table, window, rules, seat)
+            muted[seat, slot] = window.playing[seat] and window.muted[seat]
         if window.results[0] == CONFLICT:
             durations[slot] = math.nan
             return slot + 1
         durations[slot] = _duration(table, window, rules, shares, natural)
     return results.shape[0]
+
+
+@kernel
+def _own_index(table: SequenceTable, window: Window, rules: Rules, seat: int) -> int:
+    if not window.playing[seat]:
+        return ABSENT
+    return own_phase(table, window.sequence[seat], window.phases[seat, 0], rules.ended)
 
 
 @kernel
@@ -95,20 +102,17 @@ def _release_the_ended(table: SequenceTable, window: Window, rules: Rules) -> No
 def _duration(
     table: SequenceTable, window: Window, rules: Rules, shares: Weights, natural: Seconds
 ) -> float:
-    """Return how long the slot being played lasts (eq. 6).
+    """Return how long the slot being played lasts, NaN if nobody says so.
 
-    In paper mode a phase votes with all of its duration in every slot that it covers; with the
-    default planner with what is left of it, split over the slots that are left to it.
+    The default planner has decided it. In paper mode it is the weighted mean (eq. 6), for which
+    a phase votes with all of its duration in every slot that it covers.
     """
+    if rules.replans:
+        return window.durations[0] if window.durations[0] > 0.0 else math.nan
     voters = 0
     for seat in range(window.playing.shape[0]):
-        phase = window.phases[seat, 0]
-        if not window.playing[seat]:
-            continue
-        if rules.ended == ENDED_NEUTRAL:
-            natural[voters] = column_share(table, window, seat, 0)
-        else:
-            natural[voters] = natural_duration(table, window.sequence[seat], phase)
-        shares[voters] = window.weight[seat]
-        voters += 1
+        if window.playing[seat]:
+            natural[voters] = natural_duration(table, window.sequence[seat], window.phases[seat, 0])
+            shares[voters] = window.weight[seat]
+            voters += 1
     return slot_duration(shares, natural, voters) if voters > 0 else math.nan

@@ -1,7 +1,9 @@
 """A sequence of support phases: what a clip stands on, from its start to its end.
 
 The text form is the command line's contract: ``R L D -`` separated by blanks, each with its
-seconds if wanted (``R.38``), ``*`` at the end for a cyclic sequence.
+seconds if wanted (``R.38``), ``*`` at the end for a cyclic sequence. Where hands or front legs
+carry too, ``+`` and their letters follow that of the feet: ``D+lr`` is on all fours, ``L+r`` a
+trot's diagonal, ``+lr`` a handstand; ``p`` and ``s`` are middle legs (`LIMBS`).
 """
 
 from __future__ import annotations
@@ -20,7 +22,7 @@ from footfall.support.algebra import Support
 
 __all__ = ["SupportPhase", "SupportSequence", "merge_equal_neighbors"]
 
-_TOKEN = re.compile(r"([RLD-])(\d+\.?\d*|\.\d+)?")
+_TOKEN = re.compile(r"([RLD-]|[RLD]?\+(?=[lrps])l?r?p?s?)(\d+\.?\d*|\.\d+)?")
 
 
 @dataclass(frozen=True, slots=True)
@@ -98,15 +100,15 @@ class SupportSequence:
         """Read the text form, such as ``"R.38 D.12 L.38 D.12*"``.
 
         Args:
-            text: Symbols separated by blanks, each with its seconds if wanted.
+            text: Supports separated by blanks, each with its seconds if wanted.
             cyclic: Overrides what the ``*`` at the end says.
 
         Returns:
             The sequence; a phase without seconds lasts 1.
 
         Raises:
-            SupportSequenceError: If a symbol is none of R, L, D and -, or the sequence breaks
-                a rule of `SupportSequence`.
+            SupportSequenceError: If a word is no support, or the sequence breaks a rule of
+                `SupportSequence`.
         """
         body = text.strip()
         starred = body.endswith("*")

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from footfall.compilation import kernel
 from footfall.support import Support
-from footfall.sync.tables import ABSENT, ENDED_NEUTRAL, Rules, SequenceTable, Window
+from footfall.sync.tables import ABSENT, ENDED_NEUTRAL, Rules, SequenceTable
+from footfall.sync.window import Window
 
 __all__ = ["combine_column", "following", "has_ended", "own_phase", "recombine", "support_of"]
 
 FLIGHT = int(Support.FLIGHT)
 CONFLICT = int(Support.CONFLICT)
-DOUBLE = int(Support.DOUBLE)
 
 
 @kernel
@@ -24,10 +24,10 @@ def support_of(table: SequenceTable, sequence: int, phase: int, ended: int) -> i
         ended: What a clamped sequence does after its last phase, as in `Rules`.
 
     Returns:
-        A value of `Support`; DOUBLE, the neutral one, for `ABSENT`.
+        A value of `Support`; for `ABSENT` the neutral one, `SequenceTable.whole`.
     """
     own = own_phase(table, sequence, phase, ended)
-    return int(table.supports[table.first[sequence] + own]) if own >= 0 else DOUBLE
+    return int(table.supports[table.first[sequence] + own]) if own >= 0 else table.whole
 
 
 @kernel
@@ -67,10 +67,10 @@ def combine_column(table: SequenceTable, window: Window, rules: Rules, column: i
     Returns:
         Whether it can be played (eq. 3): whether it is not CONFLICT.
     """
-    everybody = DOUBLE
-    on_the_ground = DOUBLE
+    everybody = table.whole
+    on_the_ground = table.whole
     for seat in range(window.playing.shape[0]):
-        if window.playing[seat]:
+        if window.playing[seat] and not window.muted[seat]:
             support = support_of(
                 table, window.sequence[seat], window.phases[seat, column], rules.ended
             )

@@ -11,7 +11,8 @@ from __future__ import annotations
 from footfall.compilation import kernel
 from footfall.support import Support
 from footfall.sync.columns import combine_column, following, support_of
-from footfall.sync.tables import ABSENT, ENDED_STOPS, Rules, SequenceTable, Window
+from footfall.sync.tables import ABSENT, ENDED_STOPS, Rules, SequenceTable
+from footfall.sync.window import Window
 
 __all__ = [
     "enter_next_slot",

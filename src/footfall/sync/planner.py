@@ -1,12 +1,13 @@
-"""The default planner: the paper's rule, mended.
+"""The default planner: who goes on and who waits, chosen over a horizon of seconds.
 
-Its differences from `footfall.sync.paper` are flags of `Rules`: an ended action is neutral, a
-conflict hidden by somebody's flight counts, and a start that would leave nothing but flight is
-refused. What needs more than a flag is here: a cyclic action enters at the phase that costs
-least, and everything but the slot being played is decided anew at each event.
+Motions keep their own speed and feet agree as far as both are possible (`footfall.sync.prices`).
+The search (`footfall.sync.look_ahead`) sees only columns that can be played, with nobody held
+too long or made to run too fast or too slow. Where no such column is left, the first
+action in order of priority that finds no room is *muted* (S-19): it plays on beside the others
+at its own speed, without a vote and without leg weight, until there is room for it again. The
+first of all always finds room, so a schedule never fails and nobody waits for ever.
 
-Another planner takes the place of these four functions: `start_action`, `release_action`,
-`reconsider` and `footfall.sync.paper.enter_next_slot`.
+All but the slot being played is decided anew at each event (`footfall.sync.events`).
 """
 
 from __future__ import annotations
@@ -16,39 +17,62 @@ from typing import cast
 
 import numpy as np
 
-from footfall.compilation import kernel
-from footfall.support import Support
-from footfall.sync.columns import combine_column, has_ended, recombine, support_of
-from footfall.sync.paper import (
-    enter_window,
-    keep_window,
-    restore_window,
-    synchronize_column,
-    try_start,
-)
-from footfall.sync.shares import column_share, natural_duration
-from footfall.sync.tables import Rules, SequenceTable, Window
+from footfall.compilation import inlined_kernel, inner_kernel
+from footfall.sync import paper
+from footfall.sync.columns import combine_column
+from footfall.sync.look_ahead import choose_path, first_blocked, gather_lanes, plant_root
+from footfall.sync.path import write_path
+from footfall.sync.prices import TIME_VALUE
+from footfall.sync.search_memory import LANES
+from footfall.sync.shares import natural_duration
+from footfall.sync.tables import ABSENT, Rules, SequenceTable
+from footfall.sync.window import Window
 
-__all__ = ["REFUSED", "reconsider", "release_action", "start_action", "window_cost"]
+__all__ = [
+    "ENTERS",
+    "NEVER_LANDS",
+    "NO_ROOM",
+    "ON_THE_OTHER_FOOT",
+    "REFUSED",
+    "plan",
+    "plan_next_slot",
+    "plan_start",
+    "weigh_entry",
+]
 
-REFUSED = -1
-"""What `start_action` returns where no entry can be synchronized."""
+REFUSED = -1  # What `plan_start` returns where no entry can be synchronized.
 
-# A typed number: a literal would have everything that it is passed to compiled twice.
-FIRST = cast(int, np.int64(0))
-FLIGHT = int(Support.FLIGHT)
-LEFT_FOOT = int(Support.LEFT) & ~int(Support.RIGHT)
-RIGHT_FOOT = int(Support.RIGHT) & ~int(Support.LEFT)
+ENTERS, ON_THE_OTHER_FOOT, NO_ROOM, NEVER_LANDS = 0, 1, 2, 3
+"""What `weigh_entry` returns: it can enter; it conflicts at once; later somebody would have to be
+muted; no foot would touch the ground."""
 
-FLIGHT_PRICE = 3.0
-"""A flight cannot be stretched without breaking the laws of motion, so it costs more."""
+# Typed numbers: a literal would have everything that it is passed to compiled twice.
+FIRST, NOBODY = cast(int, np.int64(0)), cast(int, np.int64(-1))
 
 SAME_COST = 1e-9
 """Costs closer than this are equal, and the first entry is taken."""
 
 
-@kernel
-def start_action(
+@inlined_kernel
+def plan_next_slot(table: SequenceTable, window: Window, rules: Rules) -> bool:
+    """Move the window on by one slot, and decide the columns to come.
+
+    For the default planner `footfall.sync.shares.finish_slot` has been called, and then
+    `remaining` set for column 1. Returns whether the new last column can be played.
+    """
+    if not rules.replans:
+        return paper.enter_next_slot(table, window, rules)
+    for seat in range(window.playing.shape[0]):
+        if window.playing[seat]:
+            window.phases[seat, 0] = window.phases[seat, 1]
+    combine_column(table, window, rules, FIRST)
+    _let_one_rejoin(table, window, rules)
+    plan(table, window, rules)
+    return True
+
+
+@inner_kernel
+def plan_start(
     table: SequenceTable, window: Window, rules: Rules, seat: int, elapsed: float
 ) -> int:
     """Start an action now, if it can be synchronized.
@@ -57,7 +81,8 @@ def start_action(
         table: All sequences.
         window: The schedule; `sequence`, `priority`, `age` and `weight` of the seat are already
             set, and `playing` is false there. Changed only if the action starts; then
-            `remaining` of the seat is set too.
+            `remaining` of the seat is set too. For the default planner `remaining` of the
+            others is what is left now.
         rules: The rules of the planner.
         seat: The seat of the action.
         elapsed: The share of column 0 that is over, in [0, 1); a cyclic action that may enter
@@ -66,102 +91,160 @@ def start_action(
     Returns:
         The phase with which it entered, or `REFUSED`.
     """
+    if not rules.replans:
+        return 0 if paper.try_start(table, window, rules, seat, FIRST) else REFUSED
     sequence = window.sequence[seat]
-    if not (rules.enters_anywhere and table.cyclic[sequence]):
-        if not try_start(table, window, rules, seat, FIRST):
-            return REFUSED
-        window.remaining[seat] = natural_duration(table, sequence, 0)
-        return 0
     best = REFUSED
-    least_held = math.inf
-    least_stretch = math.inf
-    keep_window(window)
-    for entry in range(table.phase_count[sequence]):
-        if enter_window(table, window, rules, seat, entry):
-            own = natural_duration(table, sequence, entry)
-            window.remaining[seat] = (1.0 - elapsed) * own
-            held, stretch = window_cost(table, window, rules)
-            if held < least_held - SAME_COST or (
-                held < least_held + SAME_COST and stretch < least_stretch - SAME_COST
-            ):
-                best, least_held, least_stretch = entry, held, stretch
-        restore_window(window, seat)
-    if best != REFUSED:
-        enter_window(table, window, rules, seat, best)
-        window.remaining[seat] = (1.0 - elapsed) * natural_duration(table, sequence, best)
+    least = math.inf
+    entries = table.phase_count[sequence] if table.cyclic[sequence] else 1
+    if _lanes_of(table, window, rules) == 0:
+        entries = 1
+    for entry in range(entries):
+        verdict, cost = weigh_entry(table, window, rules, seat, entry, elapsed)
+        if verdict == ENTERS and cost < least - SAME_COST:
+            best, least = entry, cost
+    if best == REFUSED:
+        return REFUSED
+    _put_in(table, window, seat, best, elapsed)
+    plan(table, window, rules)
     return best
 
 
-@kernel
-def release_action(table: SequenceTable, window: Window, rules: Rules, seat: int) -> bool:
-    """Take an action out, when its leg weight has reached zero; return as `reconsider`."""
-    window.playing[seat] = False
-    return reconsider(table, window, rules)
+@inlined_kernel
+def weigh_entry(
+    table: SequenceTable,
+    window: Window,
+    rules: Rules,
+    seat: int,
+    entry: int,
+    elapsed: float,
+) -> tuple[int, float]:
+    """Return whether an action can enter at a phase, and what the best schedule then costs.
 
-
-@kernel
-def reconsider(table: SequenceTable, window: Window, rules: Rules) -> bool:
-    """Take note of an event: a priority, an age or a set of running actions has changed.
-
-    The default planner decides columns 1 and later anew; in paper mode the decisions stay and
-    only the results follow.
+    Args:
+        table: All sequences.
+        window: The schedule, as for `plan_start`; left as it was, but for the seat's own
+            numbers, which mean nothing while it does not play.
+        rules: The rules of the default planner.
+        seat: The seat of the action.
+        entry: The phase with which it would enter.
+        elapsed: The share of column 0 that is over.
 
     Returns:
-        Whether all decided columns can be played.
+        `ENTERS`, `ON_THE_OTHER_FOOT`, `NO_ROOM` or `NEVER_LANDS`; and the cost per second.
     """
-    if not rules.replans:
-        return recombine(table, window, rules)
-    playable = combine_column(table, window, rules, 0)
-    for column in range(1, window.results.shape[0] - 1):
-        if not synchronize_column(table, window, rules, column):
-            playable = False
-    return playable
+    _put_in(table, window, seat, entry, elapsed)
+    playable = combine_column(table, window, rules, FIRST)
+    window.playing[seat] = False
+    memory = window.search[0]
+    verdict, cost = ON_THE_OTHER_FOOT, math.inf
+    if playable:
+        verdict = NO_ROOM
+        gather_lanes(table, window, memory, rules, seat)
+        plant_root(table, window, memory)
+        node, complete = choose_path(table, memory)
+        if complete:
+            verdict = ENTERS if memory.grounded[node] else NEVER_LANDS
+            cost = memory.rank[node] / memory.time[node] + TIME_VALUE
+    window.phases[seat, 0] = ABSENT
+    combine_column(table, window, rules, FIRST)
+    return verdict, cost
 
 
-@kernel
-def window_cost(table: SequenceTable, window: Window, rules: Rules) -> tuple[float, float]:
-    """Return what the decided columns cost: holds first, then stretch and disagreement.
-
-    Holds are counted in shares of the leg weight. The second number is a mean over the columns:
-    the weighted |log2| of how much longer or shorter each phase gets than at its clip's own
-    speed, plus, for each foot, 4 a (1 - a), where the share a of the weight plants it. Flights
-    count `FLIGHT_PRICE` times in both.
-    """
-    columns = window.results.shape[0] - 1
-    held = 0.0
-    stretch = 0.0
-    for column in range(columns):
-        total, clock = _votes(table, window, column)
-        if total <= 0.0:
-            continue
-        left = 0.0
-        right = 0.0
-        for seat in range(window.playing.shape[0]):
-            phase = window.phases[seat, column]
-            if not window.playing[seat] or has_ended(table, window.sequence[seat], phase):
-                continue
-            weight = window.weight[seat] / total
-            support = support_of(table, window.sequence[seat], phase, rules.ended)
-            price = weight * FLIGHT_PRICE if support == FLIGHT else weight
-            own = column_share(table, window, seat, column)
-            stretch += price * abs(math.log2(clock / own))
-            left += weight if support & LEFT_FOOT else 0.0
-            right += weight if support & RIGHT_FOOT else 0.0
-            if column > 0 and phase == window.phases[seat, column - 1]:
-                held += price
-        stretch += 4.0 * (left * (1.0 - left) + right * (1.0 - right))
-    return held, stretch / columns
+@inner_kernel
+def _put_in(table: SequenceTable, window: Window, seat: int, entry: int, elapsed: float) -> None:
+    sequence = window.sequence[seat]
+    own = natural_duration(table, sequence, entry)
+    window.phases[seat, 0] = entry
+    window.remaining[seat] = (1.0 - elapsed) * own if table.cyclic[sequence] else own
+    window.held[seat] = 0
+    window.muted[seat] = False
+    window.playing[seat] = True
 
 
-@kernel
-def _votes(table: SequenceTable, window: Window, column: int) -> tuple[float, float]:
-    """Return the weight of all who have not ended in a column, and how long it lasts (eq. 6)."""
-    total = 0.0
-    duration = 0.0
+@inner_kernel
+def plan(table: SequenceTable, window: Window, rules: Rules) -> None:
+    """Decide every column but the present one and how long they last; mute who finds no room."""
+    combine_column(table, window, rules, FIRST)
+    memory = window.search[0]
+    if _lanes_of(table, window, rules) == 0:
+        seat = _first_muted(window, FIRST)
+        if seat >= 0:
+            window.muted[seat] = False
+            window.held[seat] = 0
+    gather_lanes(table, window, memory, rules, NOBODY)
+    _mute_beyond_the_lanes(table, window)
+    node = NOBODY
+    while memory.lanes > 0:
+        plant_root(table, window, memory)
+        node, _ = choose_path(table, memory)
+        if node >= 0:
+            break
+        _mute(window, memory.seat[first_blocked(table, memory)])
+        gather_lanes(table, window, memory, rules, NOBODY)
+    combine_column(table, window, rules, FIRST)
+    write_path(table, window, rules, node)
+
+
+@inner_kernel
+def _mute(window: Window, seat: int) -> None:
+    window.muted[seat] = True
+    window.held[seat] = 0
+
+
+@inner_kernel
+def _mute_beyond_the_lanes(table: SequenceTable, window: Window) -> None:
+    """Mute the actions of the least priority where there are more than the search can hold."""
+    memory = window.search[0]
+    if memory.lanes < LANES:
+        return
     for seat in range(window.playing.shape[0]):
-        if window.playing[seat] and not has_ended(
-            table, window.sequence[seat], window.phases[seat, column]
-        ):
-            total += window.weight[seat]
-            duration += window.weight[seat] * column_share(table, window, seat, column)
-    return total, duration / total if total > 0.0 else 0.0
+        sequence = window.sequence[seat]
+        ended = not table.cyclic[sequence] and (
+            window.phases[seat, 0] >= table.phase_count[sequence]
+        )
+        listed = ended or window.muted[seat] or not window.playing[seat]
+        for lane in range(memory.lanes):
+            if memory.seat[lane] == seat:
+                listed = True
+        if not listed:
+            _mute(window, seat)
+
+
+@inner_kernel
+def _lanes_of(table: SequenceTable, window: Window, rules: Rules) -> int:
+    gather_lanes(table, window, window.search[0], rules, NOBODY)
+    return int(window.search[0].lanes)
+
+
+@inner_kernel
+def _first_muted(window: Window, waited: int) -> int:
+    """Return the first in order of priority of those who have been muted for some columns."""
+    found = NOBODY
+    for seat in range(window.playing.shape[0]):
+        rests = window.playing[seat] and window.muted[seat] and window.held[seat] >= waited
+        if rests and (found < 0 or paper.precedes(window, seat, found)):
+            found = seat
+    return found
+
+
+@inlined_kernel
+def _let_one_rejoin(table: SequenceTable, window: Window, rules: Rules) -> None:
+    """Take back the first of the muted, if it has rested and nobody would be muted for it."""
+    seat = _first_muted(window, rules.most_held)
+    if seat < 0 or _lanes_of(table, window, rules) >= LANES:
+        return
+    rested = window.held[seat]
+    window.muted[seat] = False
+    window.held[seat] = 0
+    complete = False
+    if combine_column(table, window, rules, FIRST):
+        memory = window.search[0]
+        gather_lanes(table, window, memory, rules, NOBODY)
+        plant_root(table, window, memory)
+        node, complete = choose_path(table, memory)
+        complete = complete and bool(memory.grounded[node])
+    if not complete:
+        window.muted[seat] = True
+        window.held[seat] = rested
+        combine_column(table, window, rules, FIRST)

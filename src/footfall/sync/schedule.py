@@ -16,7 +16,8 @@ from dataclasses import dataclass
 from footfall.arrays import Indices, Supports
 from footfall.support import Support
 from footfall.sync.columns import has_ended, own_phase, support_of
-from footfall.sync.tables import Rules, SequenceTable, Window
+from footfall.sync.tables import Rules, SequenceTable
+from footfall.sync.window import Window
 
 __all__ = ["Schedule", "ScheduleRow"]
 
@@ -41,7 +42,7 @@ class ScheduleRow:
     """What it stands on; None while it does not play."""
 
     held: tuple[bool, ...]
-    """Whether it repeats the phase of the slot before because its next one would conflict."""
+    """Whether it repeats the phase of the slot before: its next one would conflict, or is early."""
 
     following: tuple[Support | None, ...]
     """Where held: the support that it may not go on to yet; else None."""
@@ -58,6 +59,8 @@ class ScheduleRow:
     def remark(self) -> str:
         """Why its first held phase is held; empty if none is."""
         for support in self.following:
+            if support is not None and support not in (Support.LEFT, Support.RIGHT):
+                return f"~ held: its next phase, {support.symbol}, comes with the others"
             if support is not None:
                 other = Support.RIGHT if support is Support.LEFT else Support.LEFT
                 conflict = f"its next phase, {support.symbol}, conflicts with {other.symbol}"

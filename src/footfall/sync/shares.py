@@ -1,16 +1,13 @@
-"""What a phase contributes to each of the slots that it covers: plain numbers, no clock.
-
-The paper lets an extended phase vote with its whole duration in every slot it covers. The
-default planner splits it: what is left of it, over the slots that are known to be left to it.
-"""
+"""What a phase contributes to each of the slots that it covers: plain numbers, no clock."""
 
 from __future__ import annotations
 
 from footfall.compilation import kernel
 from footfall.sync.columns import has_ended
-from footfall.sync.tables import SequenceTable, Window
+from footfall.sync.tables import SequenceTable
+from footfall.sync.window import Window
 
-__all__ = ["column_share", "natural_duration", "spend_slot"]
+__all__ = ["finish_slot", "natural_duration", "spend_slot"]
 
 
 @kernel
@@ -25,24 +22,29 @@ def natural_duration(table: SequenceTable, sequence: int, phase: int) -> float:
 
 
 @kernel
-def column_share(table: SequenceTable, window: Window, seat: int, column: int) -> float:
-    """Return what the phase of a seat contributes to one decided column of the window.
+def finish_slot(table: SequenceTable, window: Window) -> None:
+    """Count the slot being played to those for which somebody was held or a support lasted.
 
-    What is left of the phase (`Window.remaining` for that of column 0, else all of it), split
-    evenly over its columns from there on. The action must not have ended.
+    To be called before `Window.remaining` is set for the next slot. A phase in which every limb
+    carries may be split over as many slots as its own time covers: these are no holds (S-21).
     """
-    phase = window.phases[seat, column]
-    columns = window.results.shape[0] - 1
-    first = column
-    while first > 0 and window.phases[seat, first - 1] == phase:
-        first -= 1
-    after = column + 1
-    while after < columns and window.phases[seat, after] == phase:
-        after += 1
-    own = window.remaining[seat]
-    if first > 0:
-        own = natural_duration(table, window.sequence[seat], phase)
-    return own / (after - first)
+    lasting = window.durations[0]
+    steady = window.results[1] == window.results[0]
+    window.steady[0] = window.steady[0] + lasting if steady else 0.0
+    for seat in range(window.playing.shape[0]):
+        if not window.playing[seat]:
+            continue
+        phase = window.phases[seat, 0]
+        if window.muted[seat]:
+            window.held[seat] += 1
+        elif window.phases[seat, 1] != phase:
+            window.held[seat] = 0
+        elif not has_ended(table, window.sequence[seat], phase):
+            first = table.first[window.sequence[seat]]
+            count = table.phase_count[window.sequence[seat]]
+            splits = table.supports[first + phase % count] == table.whole
+            if not (splits and window.remaining[seat] > lasting):
+                window.held[seat] += 1
 
 
 @kernel
@@ -51,13 +53,24 @@ def spend_slot(table: SequenceTable, window: Window) -> None:
 
     An engine with a clock sets `remaining` from its clip times instead.
     """
+    finish_slot(table, window)
     for seat in range(window.playing.shape[0]):
-        if window.playing[seat]:
-            phase = window.phases[seat, 0]
-            coming = window.phases[seat, 1]
-            if has_ended(table, window.sequence[seat], coming):
-                window.remaining[seat] = 0.0
-            elif coming == phase:
-                window.remaining[seat] -= column_share(table, window, seat, 0)
-            else:
-                window.remaining[seat] = natural_duration(table, window.sequence[seat], coming)
+        if not window.playing[seat]:
+            continue
+        sequence = window.sequence[seat]
+        phase = window.phases[seat, 0]
+        if window.muted[seat]:
+            left = window.remaining[seat] - window.durations[0]
+            while left <= 0.0 and not has_ended(table, sequence, phase):
+                phase += 1
+                left += natural_duration(table, sequence, phase)
+            window.phases[seat, 1] = phase
+            window.remaining[seat] = left
+            continue
+        coming = window.phases[seat, 1]
+        if has_ended(table, sequence, coming):
+            window.remaining[seat] = 0.0
+        elif coming == phase:
+            window.remaining[seat] -= window.pace[seat, 0] * window.durations[0]
+        else:
+            window.remaining[seat] = natural_duration(table, sequence, coming)

@@ -12,9 +12,9 @@ import numpy as np
 from footfall.errors import ArgumentError
 from footfall.support import Support, SupportSequence
 from footfall.sync.columns import own_phase
-from footfall.sync.paper import enter_next_slot
-from footfall.sync.planner import REFUSED, reconsider, release_action, start_action
-from footfall.sync.refusal import explain_refusal
+from footfall.sync.events import enter_next_slot, reconsider, release_action, start_action
+from footfall.sync.planner import REFUSED
+from footfall.sync.refusal import Refusal, explain_refusal, foresee
 from footfall.sync.schedule import Schedule
 from footfall.sync.shares import spend_slot
 from footfall.sync.tables import (
@@ -23,10 +23,11 @@ from footfall.sync.tables import (
     Planner,
     SequenceTable,
     StartPolicy,
-    Window,
+    check_limbs,
     check_registration,
     rules_of,
 )
+from footfall.sync.window import Window
 
 __all__ = ["Synchronizer"]
 
@@ -57,6 +58,7 @@ class Synchronizer:
             raise ArgumentError("no sequence; a synchronizer needs at least one")
         for sequence in sequences:
             check_registration(sequence)
+        check_limbs(sequences, planner)
         count = len(sequences)
         ranks = [float(count - i) for i in range(count)] if priorities is None else priorities
         self.names = tuple(names) if names is not None else tuple(str(i) for i in range(count))
@@ -94,6 +96,11 @@ class Synchronizer:
         return tuple(int(action) for action in self._window.playing.nonzero()[0])
 
     @property
+    def muted(self) -> tuple[int, ...]:
+        """Those of `playing` that play beside the schedule, for want of room (S-19)."""
+        return tuple(action for action in self.playing if self._window.muted[action])
+
+    @property
     def waiting(self) -> dict[int, str]:
         """Each action whose start is delayed, oldest command first, and why it waits."""
         return dict(self._waiting)
@@ -108,6 +115,13 @@ class Synchronizer:
         if self._window.playing[action]:
             return True
         return action not in self._waiting and self._try(action)
+
+    def foresee(self, action: int) -> Refusal | None:
+        """Say for what a waiting action waits and how long; None if it does not wait."""
+        self._check(action)
+        if action not in self._waiting:
+            return None
+        return foresee(self._table, self._window, self._rules, action, self.names)
 
     def stop(self, action: int) -> None:
         """Take an action out of the schedule now, or cancel its waiting start."""

@@ -1,12 +1,6 @@
-"""The plain arrays on which the synchronizer works, and the rules it follows.
+"""The sequences as the synchronizer takes them, and the rules it follows.
 
-A character has a fixed number of *seats*; each may hold one running action. Its *window* is the
-part of the schedule that is decided: column 0 is the slot being played, columns 1 to
-`lookahead` are the slots to come, and one more column is only looked at when an action starts
-(section 5.1: from k to k + nk + 1).
-
-The kernels take these arrays as named tuples, which cost nothing in compiled code: an engine
-builds a `Window` from the rows of its own arrays, without a copy.
+The kernels take named tuples of plain arrays, which cost nothing in compiled code.
 """
 
 from __future__ import annotations
@@ -16,7 +10,7 @@ from typing import Literal, NamedTuple
 
 import numpy as np
 
-from footfall.arrays import Flags, Floats, Indices, Seconds, Supports, Weights
+from footfall.arrays import Flags, Indices, Seconds, Supports
 from footfall.errors import ArgumentError, SupportSequenceError
 from footfall.support import Support, SupportSequence
 
@@ -30,7 +24,7 @@ __all__ = [
     "Rules",
     "SequenceTable",
     "StartPolicy",
-    "Window",
+    "check_limbs",
     "check_registration",
     "rules_of",
 ]
@@ -76,91 +70,25 @@ class SequenceTable(NamedTuple):
     durations: Seconds
     """How long they last at their clip's own speed, plain numbers > 0, shape (phases,)."""
 
+    whole: int
+    """The support that gives way to every other one: all limbs that any of them knows."""
+
     @classmethod
     def of(cls, sequences: Sequence[SupportSequence]) -> SequenceTable:
         """Pack some sequences, in their order."""
         counts = np.array([len(one.phases) for one in sequences], dtype=np.int64)
         phases = [phase for one in sequences for phase in one.phases]
+        whole = int(Support.DOUBLE)
+        for phase in phases:
+            whole |= int(phase.support)
         return cls(
             first=np.cumsum(counts) - counts,
             phase_count=counts,
             cyclic=np.array([one.cyclic for one in sequences], dtype=np.bool_),
             supports=np.array([int(phase.support) for phase in phases], dtype=np.int64),
             durations=np.array([phase.duration for phase in phases], dtype=np.float64),
+            whole=whole,
         )
-
-
-class Window(NamedTuple):
-    """The decided part of one character's schedule. Every array is written in place."""
-
-    playing: Flags
-    """Whether a seat holds a running action that carries leg weight, shape (seats,)."""
-
-    sequence: Indices
-    """Its row of the `SequenceTable`, shape (seats,)."""
-
-    priority: Floats
-    """Its priority on the legs, shape (seats,)."""
-
-    age: Indices
-    """The order of activation, smaller = older, which settles equal priorities, shape (seats,)."""
-
-    weight: Weights
-    """Its weight on the legs, >= 0, of any common scale, shape (seats,). Only the cost of an
-    entry reads it."""
-
-    remaining: Seconds
-    """What is left of its phase of column 0 at the clip's own speed, shape (seats,). Only the
-    cost of an entry reads it."""
-
-    phases: Indices
-    """Absolute phase index per column, shape (seats, lookahead + 2). A cyclic action keeps
-    counting; a clamped one whose index is its count or more has ended; `ABSENT` has left.
-    An index repeated in the next column is a hold."""
-
-    results: Supports
-    """The combined support of each column, shape (lookahead + 2,); CONFLICT where the rule
-    failed."""
-
-    spare_phases: Indices
-    """Working memory of the shape of `phases`; may be shared by characters of one thread."""
-
-    spare_results: Supports
-    """Working memory of the shape of `results`."""
-
-    @classmethod
-    def empty(cls, seats: int, lookahead: int) -> Window:
-        """Return the window of a character that plays nothing.
-
-        Raises:
-            ArgumentError: If there is no seat or the look-ahead is less than 1 slot.
-        """
-        if seats < 1:
-            raise ArgumentError(f"{seats} seats; a character needs at least 1")
-        if lookahead < 1:
-            raise ArgumentError(f"a look-ahead of {lookahead} slots; it must be at least 1")
-        columns = lookahead + 2
-        return cls(
-            playing=np.zeros(seats, dtype=np.bool_),
-            sequence=np.zeros(seats, dtype=np.int64),
-            priority=np.zeros(seats, dtype=np.float64),
-            age=np.zeros(seats, dtype=np.int64),
-            weight=np.zeros(seats, dtype=np.float64),
-            remaining=np.zeros(seats, dtype=np.float64),
-            phases=np.full((seats, columns), ABSENT, dtype=np.int64),
-            results=np.full(columns, int(Support.DOUBLE), dtype=np.int64),
-            spare_phases=np.full((seats, columns), ABSENT, dtype=np.int64),
-            spare_results=np.full(columns, int(Support.DOUBLE), dtype=np.int64),
-        )
-
-    def copy(self) -> Window:
-        """Return a window with arrays of its own."""
-        return Window._make(array.copy() for array in self)
-
-    @property
-    def lookahead(self) -> int:
-        """How many slots after the current one are decided."""
-        return self.results.shape[0] - 2
 
 
 class Rules(NamedTuple):
@@ -186,6 +114,13 @@ class Rules(NamedTuple):
 
     falls_back: bool
     """Whether Appendix A is used where the priority rule failed."""
+
+    most_held: int
+    """For how many columns the default planner may hold an action before it is muted (S-19)."""
+
+
+MOST_HELD = 3
+"""For how many columns in a row an action is made to wait at most."""
 
 
 def rules_of(
@@ -217,7 +152,7 @@ def rules_of(
                 'the start policy "native", the end "repeat" and the fallback belong to the '
                 'planner "paper"; the planner is "footfall"'
             )
-        return Rules(ENDED_NEUTRAL, True, True, True, True, True, False)
+        return Rules(ENDED_NEUTRAL, True, True, True, True, True, False, MOST_HELD)
     if planner != "paper":
         raise ArgumentError(f'no planner {planner!r}; there are "footfall" and "paper"')
     if start_policy not in ("extend", "native"):
@@ -225,7 +160,7 @@ def rules_of(
     if ended not in (None, "repeat", "stop"):
         raise ArgumentError(f'{ended!r} is no end of the planner "paper"; "repeat" or "stop" is')
     end = ENDED_STOPS if ended == "stop" else ENDED_REPEATS
-    return Rules(end, False, start_policy == "extend", False, False, False, falls_back)
+    return Rules(end, False, start_policy == "extend", False, False, False, falls_back, 0)
 
 
 def check_registration(sequence: SupportSequence) -> None:
@@ -244,3 +179,20 @@ def check_registration(sequence: SupportSequence) -> None:
             f"phases 0 and 0, neighbors in the cycle, are both {only.name}: a cycle of a single "
             f"{symbol} never changes feet; leave out the * or add a phase, such as {symbol} D*"
         )
+
+
+def check_limbs(sequences: Sequence[SupportSequence], planner: Planner) -> None:
+    """Refuse limbs beside the feet to the rule of the paper.
+
+    Raises:
+        ArgumentError: If it is asked to synchronize one.
+    """
+    if planner != "paper":
+        return
+    for number, sequence in enumerate(sequences):
+        for phase in sequence.phases:
+            if phase.support > Support.DOUBLE:
+                raise ArgumentError(
+                    f"sequence {number} stands on {phase.support.symbol}; the rule of the paper "
+                    'knows two feet, R L D and -, and the planner "footfall" any limbs'
+                )
