@@ -37,7 +37,8 @@ MAY_IMPORT: dict[str, frozenset[str]] = {
     "scenario": _ALL_BUT_FACES,
     "report": _ALL_BUT_FACES,
     "view": _ALL_BUT_FACES | {"report"},
-    "cli": _ALL_BUT_FACES | {"report", "view", "footfall"},
+    "studio": _ALL_BUT_FACES | {"report", "view"},
+    "cli": _ALL_BUT_FACES | {"report", "studio", "view", "footfall"},
     "__main__": frozenset({"cli"}),
     "footfall": _ALL_BUT_FACES | {"report"},
 } | dict.fromkeys(OPEN, _NOBODY)

@@ -23,7 +23,7 @@ __all__ = ["inner_kernel", "kernel"]
 Function = TypeVar("Function", bound=Callable[..., Any])
 
 
-LEAVES = frozenset({"cli", "detection", "io", "report", "samples", "scenario", "view"})
+LEAVES = frozenset({"cli", "detection", "io", "report", "samples", "scenario", "studio", "view"})
 """Packages that no kernel imports: their files count only where they hold kernels themselves."""
 
 

@@ -7,6 +7,7 @@ FootfallError
 ├── FileFormatError          a file that cannot be read; knows its path and line (also ValueError)
 ├── ScenarioError            a cue sheet that cannot be played (also ValueError)
 ├── ArgumentError            an argument out of its range (also ValueError)
+├── MissingViewerError       a viewer, or what it needs, is not installed (also ImportError)
 └── UnknownNameError         a name that is not there; lists those that are (also LookupError)
 
 Each message says what is wrong and where, with the numbers, then what would be right.
@@ -22,6 +23,7 @@ __all__ = [
     "ClipError",
     "FileFormatError",
     "FootfallError",
+    "MissingViewerError",
     "ScenarioError",
     "SkeletonError",
     "SupportSequenceError",
@@ -51,6 +53,10 @@ class ScenarioError(FootfallError, ValueError):
 
 class ArgumentError(FootfallError, ValueError):
     """An argument is out of its range."""
+
+
+class MissingViewerError(FootfallError, ImportError):
+    """A viewer, or what it needs, is not installed."""
 
 
 class FileFormatError(FootfallError, ValueError):

@@ -15,9 +15,10 @@ from footfall.cli.inspection import detect, info
 from footfall.cli.making import clean, edit
 from footfall.cli.scheduling import sync
 from footfall.cli.staging import blend, report
+from footfall.cli.studio import studio
 from footfall.errors import FootfallError
 
-__all__ = ["blend", "clean", "demo", "detect", "edit", "info", "main", "report", "sync"]
+__all__ = ["blend", "clean", "demo", "detect", "edit", "info", "main", "report", "studio", "sync"]
 
 WRONG = 2
 """Exit code where something was wrong with the input."""
@@ -37,7 +38,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         help="Starts, stops and mixes motion clips so that the feet never slide.",
         version_flags=[],
     )
-    for command in (info, detect, edit, clean, sync, blend, report, demo):
+    for command in (info, detect, edit, clean, sync, blend, report, demo, studio):
         app.command(command)
     words = list(sys.argv[1:] if arguments is None else arguments)
     try:

@@ -15,10 +15,11 @@ from footfall.engine.library import MotionLibrary
 from footfall.engine.pipeline import advance_rows
 from footfall.engine.priorities import parse_priority
 from footfall.engine.record import SEATS
+from footfall.engine.shelf import Shelf
 from footfall.engine.state import EMPTY, new_characters, new_workspace
 from footfall.errors import ArgumentError, SkeletonError
 from footfall.skeleton import Skeleton
-from footfall.sync.tables import Planner, rules_of
+from footfall.sync.tables import Planner, Rules, rules_of
 
 __all__ = ["Crowd"]
 
@@ -203,6 +204,18 @@ class Crowd:
         self._characters["foot_offset"][chosen] = 0.0
         self._characters["foot_velocity"][chosen] = 0.0
 
+    def raise_ground(self, height: float, rows: Rows = None) -> None:
+        """Put the level ground at another height; who stands on it is carried along.
+
+        Args:
+            height: Where it lies from now on, y [m].
+            rows: Which characters: row numbers, a mask, or None for all.
+
+        Raises:
+            ArgumentError: If a row does not exist or the height is not finite.
+        """
+        self._characters["ground_height"][self._check_rows(rows)] = Plane(height).height
+
     def advance(self, dt: float) -> None:
         """Let time pass for everybody.
 
@@ -225,6 +238,17 @@ class Crowd:
             self._world_positions,
             float(dt),
         )
+
+    @property
+    def shelf(self) -> Shelf:
+        """The library as the kernels take it."""
+        self._refresh()
+        return self._shelf
+
+    @property
+    def rules(self) -> Rules:
+        """The rules of the planner."""
+        return self._rules
 
     @property
     def characters(self) -> npt.NDArray[Any]:
