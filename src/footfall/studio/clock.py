@@ -39,6 +39,7 @@ class StudioClock:
         self._owed = 0.0
         self._ticks = 0
         self._drawn_body = self._drawn_crowd = -1
+        self._looked = "stage"
         self._before: dict[int, Pose] = {}
         self._clip_poses: tuple[object, Positions, Rotations] | None = None
         self.late = 0
@@ -73,6 +74,9 @@ class StudioClock:
         """Let so much time pass [s], and show what has become of everything."""
         session = self._session
         with session.lock:
+            if session.view != self._looked:
+                self._looked = session.view
+                self._scene.look(session.view)
             if session.view == "stage":
                 self._stage(passed)
             elif session.view == "supports":

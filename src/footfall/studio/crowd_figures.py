@@ -8,7 +8,7 @@ from viser import SceneApi
 from footfall.arrays import Floats, Indices, Positions, Rotations
 from footfall.geometry import multiply, rotate
 from footfall.io.lofts import Loft, loft_surface
-from footfall.skeleton import Anatomy, Skeleton
+from footfall.skeleton import Anatomy, BodyPart, Skeleton
 
 __all__ = ["CrowdFigures", "capsule_limbs"]
 
@@ -17,6 +17,9 @@ MOST_LIMBS = 15
 
 HEAD = 0.22
 """Height of a head whose tip the skeleton does not tell [m]."""
+
+HEAD_SIZE = (0.085, 0.125, 0.1)
+"""Half-axes of a head [m]."""
 
 
 def capsule_limbs(skeleton: Skeleton, anatomy: Anatomy) -> tuple[Indices, Positions]:
@@ -49,8 +52,10 @@ class CrowdFigures:
         self._middles = 0.5 * ends
         lengths = np.linalg.norm(ends, axis=-1)
         self._aligned = _from_vertical(ends / lengths[:, np.newaxis])
-        girths = np.clip(0.24 * lengths, 0.04, 0.085)
+        girths = np.clip(0.24 * lengths, 0.04, 0.085) * _stoutness(self._joints, anatomy)
         scales = np.stack([girths, 0.5 * lengths + 0.35 * girths, girths], axis=-1)
+        head = self._joints == anatomy.head
+        scales[head] = HEAD_SIZE
         count = size * len(self._joints)
         surface = loft_surface(_unit_capsule(), 6)
         self._node = scene.add_batched_meshes_simple(
@@ -91,6 +96,12 @@ class CrowdFigures:
     def remove(self) -> None:
         """Take them out of the scene."""
         self._node.remove()
+
+
+def _stoutness(joints: Indices, anatomy: Anatomy) -> Floats:
+    """Return how thick limbs are for their length: trunks are stout, shape (limbs,)."""
+    trunk = anatomy.parts[joints] == BodyPart.TRUNK
+    return np.where(trunk, 1.5, 1.0)
 
 
 def _unit_capsule() -> Loft:

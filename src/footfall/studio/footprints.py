@@ -19,7 +19,7 @@ SOLE = np.array(
 )  # fmt: skip
 """Outline of a shoe: along from heel (0) to toe (1), half-width; in lengths from heel to toe."""
 
-COLORS = ((59, 143, 208), (230, 145, 42))
+COLORS = ((34, 116, 184), (214, 118, 14))
 
 ABOVE = 0.004
 """Height over the ground, so that prints are seen [m]."""
@@ -101,7 +101,7 @@ def _soles(scene: SceneApi, name: str, foot: int) -> BatchedMeshHandle:
         batched_positions=np.zeros((MOST, 3)),
         batched_scales=np.zeros((MOST, 3)),
         batched_colors=COLORS[foot],
-        opacity=0.75,
+        opacity=0.9,
         side="double",
         lod="off",
         cast_shadow=False,

@@ -19,11 +19,21 @@ __all__ = ["StudioScene"]
 
 SKY, GROUND, GRID = (238, 241, 245), (226, 230, 236), (176, 186, 198)
 
+QUIET = (
+    '<i id="footfall-stage"></i><style>.mantine-Paper-root:has(#footfall-stage),'
+    ".mantine-Notifications-root{display:none!important}</style>"
+)
+"""Takes the library's own panel and notes off the scene: all controls are on the page."""
+
 FOLLOW = 2.5
 """How fast the view follows the body [1/s]."""
 
-CAMERA = (3.1, 1.5, 2.6)
-"""Where it is looked from, beside what is looked at [m]."""
+CAMERAS = {
+    "stage": ((3.1, 1.45, 2.6), (0.0, 0.86, 0.0)),
+    "supports": ((2.6, 1.2, 1.9), (0.0, 0.8, 0.0)),
+    "crowd": ((15.0, 8.5, 17.0), (0.0, 0.0, 0.0)),
+}
+"""Where each view is looked from, and what at [m]."""
 
 GHOST_ASIDE = 1.1
 """How far beside the body its ghost is drawn [m]."""
@@ -81,20 +91,32 @@ class StudioScene:
         scene.configure_default_lights(enabled=False)
         scene.world_axes.visible = False
         scene.add_light_hemisphere(
-            "/sky", sky_color=(255, 255, 255), ground_color=(168, 172, 180), intensity=1.9
+            "/sky", sky_color=(255, 255, 255), ground_color=(150, 156, 168), intensity=1.25
         )
         scene.add_light_directional(
-            "/sun", color=(255, 247, 236), intensity=2.1, position=(-2.2, 4.0, 2.0)
+            "/sun",
+            color=(255, 246, 232),
+            intensity=2.0,
+            position=(-2.2, 4.0, 2.0),
+            cast_shadow=True,
         )
-        scene.configure_fog(9.0, 30.0, color=SKY)
         sky = np.linspace((214, 223, 234), SKY, 64).astype(np.uint8)[:, np.newaxis]
         scene.set_background_image(np.repeat(sky, 8, axis=1))
         gui.configure_theme(show_logo=False, show_share_button=False)
-        gui.main_panel.minimize()
-        gui.set_panel_label("view")
-        self.server.initial_camera.position = CAMERA
-        self.server.initial_camera.look_at = (0.0, 0.85, 0.0)
+        gui.add_html(QUIET)
+        self.look("stage")
         self.server.initial_camera.fov = 0.72
+
+    def look(self, view: str) -> None:
+        """Put the camera of every tab where a view is seen best."""
+        position, at = CAMERAS[view]
+        self.server.initial_camera.position = position
+        self.server.initial_camera.look_at = at
+        for client in self.server.get_clients().values():
+            client.camera.position = position
+            client.camera.look_at = at
+        far = 70.0 if view == "crowd" else 30.0
+        self._scene.configure_fog(0.3 * far, far, color=SKY)
 
     def show_body(self, skeleton: Skeleton, anatomy: Anatomy) -> None:
         """Replace the body and its ghost."""

@@ -108,13 +108,13 @@ function plot(at, area, rows, limit, highest, name, unit, kind) {
 const copies = (band) => (known.clip.cyclic && band[1] > known.clip.duration ? [0, -known.clip.duration] : [0]);
 
 function drawFoot(at, foot) {
-  const { clip, edit } = known;
+  const { edit } = known;
   const lane = at.lanes[foot];
   words(foot ? "right foot" : "left foot", 14, lane.top + lane.opinion + lane.tall / 2 + 4, { weight: 600, color: INK });
   words("detector", LEFT - 6, lane.top + 8.5, { color: SOFT, size: 10, align: "right" });
   pen.save();
   pen.beginPath();
-  pen.rect(LEFT - 5, 0, at.span + 10, at.height);
+  pen.rect(LEFT, 0, at.span, at.height);
   pen.clip();
   for (const [start, end, sureStart, sureEnd] of edit.opinion[foot]) {
     for (const turn of copies([start, end])) opinionBar(at, lane, foot, start + turn, end + turn, sureStart, sureEnd);
@@ -130,14 +130,18 @@ function drawFoot(at, foot) {
         pen.lineWidth = 2;
         pen.strokeRect(left + 1, lane.top + lane.opinion + 1, right - left - 2, lane.tall - 2);
       }
-      for (const [edge, side] of [[left, "start"], [right, "end"]]) {
+    }
+  });
+  pen.restore();
+  edit.bands[foot].forEach(([start, end], band) => {
+    for (const turn of copies([start, end])) {
+      for (const [edge, side] of [[at.x(start + turn), "start"], [at.x(end + turn), "end"]]) {
+        if (edge < LEFT - 1 || edge > LEFT + at.span + 1) continue;
         const near = [held, hover].some((it) => it?.kind === "edge" && it.foot === foot && it.band === band && it.side === side);
         block(edge - (near ? 3 : 2), lane.top + lane.opinion - 2, near ? 6 : 4, lane.tall + 4, INK, near ? 1 : 0.75, 2);
       }
     }
   });
-  pen.restore();
-  void clip;
 }
 
 // The detector's confidence in an edge: a sharp one is a wall, a doubtful one fades away.

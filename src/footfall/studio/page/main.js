@@ -97,6 +97,7 @@ on("state", (state) => {
   const [{ least, greatest }] = state.grounds;
   Object.assign(byId("lift"), { min: least, max: greatest });
   if (document.activeElement !== byId("lift")) byId("lift").value = state.lift;
+  if (state.view !== "stage") byId("now").hidden = byId("against").hidden = true;
   showPause();
 });
 

@@ -4,7 +4,7 @@ import { COLORS, known, on, TONES } from "./link.js";
 import { block, clamp, hatching, INK, letter, line, pen, RULE, size, SOFT, ticks, words } from "./canvas.js";
 
 const PAST = 6.0;
-const AHEAD = 2.6;
+const AHEAD = 2.0;
 const LEFT = 118;
 const RIGHT = 14;
 const ON_COLOR = "#10151a";
@@ -91,7 +91,7 @@ export function draw() {
   const bottom = height - 20;
   const speedHeight = clamp(height * 0.16, 36, 60);
   const resultHeight = 22;
-  const top = 14;
+  const top = 22;
   const room = bottom - speedHeight - 10 - resultHeight - 10 - top;
   const lane = clamp(room / Math.max(cards.length, 1), 9, 34);
   for (const [time, label] of ticks(now - PAST, now + AHEAD, span)) {
@@ -131,8 +131,8 @@ export function draw() {
   pen.restore();
   words("result", 14, under + 15, { weight: 600 });
   drawSpeeds(cards, x, under + resultHeight + 10, bottom - under - resultHeight - 14, span);
-  line(x(now), top - 8, x(now), bottom, "#d7263d", 1.6);
-  words("now", x(now), 10, { color: "#d7263d", size: 10.5, align: "center", weight: 600 });
+  line(x(now), top - 6, x(now), bottom, "#d7263d", 1.6);
+  words("now", x(now), 12, { color: "#d7263d", size: 10.5, align: "center", weight: 600 });
   if (!tick.begun) {
     words("Start a motion: press its number, or Start on its card", LEFT + span * 0.35, under - 12 - cards.length * lane / 2,
       { color: SOFT, size: 14, align: "center" });
