@@ -113,7 +113,7 @@ class StudioClock:
                 scene.print_feet(performer.foot_points, planted, performer.ground)
         if session.script and not stage.begun:
             self._replay()
-        performer, ghost = stage.performer, stage.ghost
+        performer, ghost = stage.pair()
         with scene.atomic():
             planted = (performer.support.left, performer.support.right)
             scene.pose_body(*self._pose(performer), planted)

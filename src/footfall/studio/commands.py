@@ -2,60 +2,28 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable
 from typing import Any
 
 from footfall.errors import ArgumentError, FootfallError
-from footfall.studio.bodies import GROUNDS, bodies_of
+from footfall.studio.bodies import GROUNDS
 from footfall.studio.crowd_stage import GROUP_NAMES
 from footfall.studio.editor import SupportEditor
 from footfall.studio.exports import export
+from footfall.studio.loading import load, load_from_page, set_option
+from footfall.studio.news import news
 from footfall.studio.replay import open_scenario
+from footfall.studio.said import Said
 from footfall.studio.session import SPEEDS, Session
-from footfall.studio.stage import PARTS, Card
-from footfall.studio.telling import card_json, clip_json, edit_json
+from footfall.studio.stage import PARTS, Card, by_part
+from footfall.studio.telling import edit_json
 
-__all__ = ["COMMANDS", "greet", "handle", "state_json"]
+__all__ = ["COMMANDS", "handle"]
 
 Json = dict[str, Any]
-Command = Callable[[Session, "Said"], None]
+Command = Callable[[Session, Said], None]
 
 GREATEST_PRIORITY, LONGEST_FADE, LARGEST_CROWD = 10.0, 5.0, 2000
-
-
-class Said:
-    """The fields of one message."""
-
-    def __init__(self, fields: Json) -> None:
-        """Take a message."""
-        self._fields = fields
-
-    def text(self, key: str) -> str:
-        """Return a text."""
-        value = self._fields.get(key)
-        if not isinstance(value, str) or not value:
-            raise ArgumentError(f"{key} is {value!r}; a text is needed")
-        return value
-
-    def number(self, key: str, least: float, greatest: float) -> float:
-        """Return a number."""
-        value = self._fields.get(key)
-        known = isinstance(value, int | float) and not isinstance(value, bool)
-        if not known or not math.isfinite(value) or not least <= value <= greatest:
-            raise ArgumentError(f"{key} is {value!r}; a number from {least:g} to {greatest:g}")
-        return float(value)
-
-    def count(self, key: str, least: int, greatest: int) -> int:
-        """Return a whole number."""
-        return int(self.number(key, least, greatest))
-
-    def flag(self, key: str) -> bool:
-        """Return true or false."""
-        value = self._fields.get(key)
-        if not isinstance(value, bool):
-            raise ArgumentError(f"{key} is {value!r}; true or false is needed")
-        return value
 
 
 def handle(session: Session, message: Json) -> list[Json]:
@@ -81,60 +49,6 @@ def handle(session: Session, message: Json) -> list[Json]:
     return answers
 
 
-def greet(session: Session) -> list[Json]:
-    """Return what a new tab is told."""
-    with session.lock:
-        return [*news(session, "select"), session.crowd_json()]
-
-
-def news(session: Session, word: object) -> list[Json]:
-    """Return what all tabs are told after a command."""
-    told = [state_json(session)]
-    if session.editor is not None and word in ("select", "view", "save", "option"):
-        told += [clip_json(session.editor), edit_json(session.editor)]
-    return told
-
-
-def state_json(session: Session) -> Json:
-    """Return everything but what changes from frame to frame."""
-    loaded = {one.name: one for one in session.motions.motions}
-    family = {one.name for one in session.motions.family}
-    return {
-        "kind": "state",
-        "folder": str(session.folder.root),
-        "files": session.motions.folder.motions(),
-        "scenarios": session.motions.folder.scenarios(),
-        "view": session.view,
-        "paused": session.paused,
-        "speed": session.speed,
-        "ghost": session.ghost,
-        "recording": session.stage.begun,
-        "cards": [
-            card_json(card, str(loaded[card.name].motion.supports), cyclic)
-            for card in session.stage.cards
-            for cyclic in (loaded[card.name].motion.clip.cyclic,)
-        ],
-        "motions": [
-            {
-                "name": one.name,
-                "motion": one.entry.motion,
-                "mixes": one.name in family,
-                "duration": round(one.motion.clip.duration, 3),
-                "cyclic": one.motion.clip.cyclic,
-                "clean": one.entry.clean,
-                "mirror": one.entry.mirror,
-            }
-            for one in session.motions.motions
-        ],
-        "bodies": [body.name for body in bodies_of(session.motions.skeletons)],
-        "body": session.body,
-        "grounds": [{"name": g.name, "least": g.least, "greatest": g.greatest} for g in GROUNDS],
-        "lift": session.stage.lift_asked,
-        "editing": None if session.editor is None else session.editor.name,
-        "groups": list(GROUP_NAMES),
-    }
-
-
 def _card(session: Session, said: Said) -> Card:
     card = session.stage.card(said.text("name"))
     if card is None:
@@ -153,7 +67,7 @@ def _priority(session: Session, said: Said) -> None:
     value = said.number("value", 0.0, GREATEST_PRIORITY)
     if part != "all" and part not in PARTS:
         raise ArgumentError(f"no body part {part!r}; there are: all, {', '.join(PARTS)}")
-    wanted = dict.fromkeys(PARTS, value) if part == "all" else card.priority | {part: value}
+    wanted = by_part(value) if part == "all" else card.priority | {part: value}
     if not any(wanted.values()):
         raise ArgumentError("an action with no priority anywhere does nothing; keep one above 0")
     session.stage.set_priority(card, wanted)
@@ -248,11 +162,11 @@ COMMANDS: dict[str, Command] = {
     "restart": lambda session, _: session.restart(),
     "lift": _lift,
     "body": lambda session, said: session.choose_body(said.text("name")),
-    "load": lambda session, said: session.load_from_page(said.text("file")),
-    "load-all": lambda session, _: session.load(session.folder.motions()),
+    "load": lambda session, said: load_from_page(session, said.text("file")),
+    "load-all": lambda session, _: load(session, session.folder.motions()),
     "remove": lambda session, said: session.remove(said.text("name")),
-    "option": lambda session, said: session.set_option(
-        said.text("name"), said.text("option"), said.flag("on")
+    "option": lambda session, said: set_option(
+        session, said.text("name"), said.text("option"), said.flag("on")
     ),
     "open": lambda session, said: open_scenario(session, said.text("file")),
     "export": lambda session, said: export(session, said.text("form"), said.text("name")),

@@ -145,7 +145,7 @@ class CrowdStage:
     def table(self, shares: Floats) -> list[list[float]]:
         """Return the mean share of each action in each group, the rest first."""
         return [
-            np.round(shares[self.group == group].mean(axis=0), 3).tolist()
+            [round(float(share), 3) for share in shares[self.group == group].mean(axis=0)]
             if (self.group == group).any()
             else [0.0] * shares.shape[1]
             for group in range(len(GROUP_NAMES))

@@ -120,11 +120,11 @@ def _picture(session: Session, path: Path, job: Job) -> None:
         picture = session.picture(*PICTURE)
     except RuntimeError as error:
         raise FileFormatError(f"cannot be drawn: {error}", path=path) from error
-    # Pillow and imageio come with the viewer.
-    import imageio.v3 as images
+    # It comes with the viewer.
+    from imageio.v3 import imwrite  # pyright: ignore[reportUnknownVariableType]
 
     job.report(0.8, "writing")
     data = io.BytesIO()
-    images.imwrite(data, picture, extension=".png")
+    imwrite(data, picture, extension=".png")
     session.folder.write(path.name, data.getvalue())
     session.notice(f"saved {path.name}", "saved")

@@ -12,7 +12,7 @@ from footfall.errors import FootfallError
 __all__ = ["Canceled", "Job", "Jobs"]
 
 
-class Canceled(Exception):
+class Canceled(Exception):  # noqa: N818 - nothing went wrong
     """The work was canceled."""
 
 

@@ -10,9 +10,11 @@ from types import TracebackType
 from typing import Any
 
 from footfall.studio.clock import StudioClock
-from footfall.studio.commands import greet, handle
+from footfall.studio.commands import handle
 from footfall.studio.exports import PageWriter
+from footfall.studio.loading import load
 from footfall.studio.motion_list import DEFAULT_SAMPLES, LoadedMotion
+from footfall.studio.news import greet
 from footfall.studio.page_server import PageServer
 from footfall.studio.scene import StudioScene
 from footfall.studio.session import Session
@@ -69,7 +71,7 @@ class Studio:
         for motion in motions:
             self.session.take_in(motion)
         if files or not motions:
-            self.session.load(list(files) or [f"sample:{name}" for name in DEFAULT_SAMPLES])
+            load(self.session, list(files) or [f"sample:{name}" for name in DEFAULT_SAMPLES])
 
     @property
     def port(self) -> int:

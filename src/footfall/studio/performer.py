@@ -16,6 +16,7 @@ from footfall.arrays import Floats, Positions, Rotations
 from footfall.engine import Waiting
 from footfall.engine.inspection import ActionState, PlannedSlot, action_states, planned_slots
 from footfall.geometry import rotate
+from footfall.motion import with_soles
 from footfall.report import carried_steps
 from footfall.scenario.cue_sheet import ActionEntry, Scenario
 from footfall.scenario.motions import Motion
@@ -105,7 +106,7 @@ class Performer:
         self.frame = 0
         self.lift = 0.0
         self.skeleton = self._character.skeleton
-        self.anatomy = find_anatomy(self.skeleton)
+        self.anatomy = with_soles(find_anatomy(self.skeleton), *motions[0].clip.world_poses())
         length = leg_length(self.skeleton, self.anatomy.left)
         self.slip = SlipMeter(self.anatomy, CONTACT_SHARE * length)
         legs = self.anatomy.legs
@@ -172,14 +173,17 @@ class Performer:
     def raise_ground(self, lift: float) -> None:
         """Put the ground so far above where the first motion had it [m]."""
         self.lift = lift
-        self._character.crowd.characters["ground_height"] = self.floor + lift
+        self._character.raise_ground(self.floor + lift)
 
-    def advance(self) -> None:
-        """Let one frame pass."""
+    def advance(self, lift: float) -> None:
+        """Let one frame pass, at the end of which the ground is so high [m]."""
         self.frame += 1
         time = self.frame / self._fps
         self._character.advance(time - self._clock)
         self._clock = time
+        if lift != self.lift:
+            self.raise_ground(lift)
+            self._character.advance(0.0)
         self.slip.measure(self.foot_points, self.support, self.ground)
 
     def states(self) -> tuple[ActionState, ...]:

@@ -6,15 +6,16 @@ from typing import TYPE_CHECKING
 
 from footfall.errors import ScenarioError
 from footfall.scenario.cue_sheet import Cue, Scenario, load_scenario
+from footfall.scenario.ground_lift import GroundLift
 from footfall.scenario.motions import Motion, body_of, resolve_motion
 from footfall.studio.jobs import Job
 from footfall.studio.motion_list import LoadedMotion
-from footfall.studio.stage import PARTS, Stage
+from footfall.studio.stage import Stage, by_part
 
 if TYPE_CHECKING:
     from footfall.studio.session import Session
 
-__all__ = ["due_cues", "obey_cue", "open_scenario"]
+__all__ = ["due_cues", "frame_cues", "obey_cue", "open_scenario"]
 
 
 def open_scenario(session: Session, name: str) -> None:
@@ -44,6 +45,7 @@ def open_scenario(session: Session, name: str) -> None:
             ]
             session.stage.body = body
             session.stage.cards = []
+            session.stage.lift = GroundLift()
             session.motions_changed()
             session.body = "own" if body is None else "of the scenario"
             session.script = frame_cues(scenario)
@@ -55,23 +57,26 @@ def open_scenario(session: Session, name: str) -> None:
 
 
 def frame_cues(scenario: Scenario) -> list[Cue]:
-    """Return the cues of a scenario, those before the first start left out."""
+    """Return the cues of a scenario, those without effect before the first start left out."""
     cues = list(scenario.cues)
-    while cues and cues[0].kind != "start":
-        cues.pop(0)
-    return cues
+    first = next((i for i, cue in enumerate(cues) if cue.kind == "start"), len(cues))
+    return [cue for i, cue in enumerate(cues) if i >= first or cue.kind == "ground"]
 
 
 def due_cues(script: list[Cue], clock: float, begun: bool) -> list[Cue]:
     """Take the cues off a script that are due at a clock time [s]; the first begins the take."""
     due: list[Cue] = []
-    while script and (script[0].at <= clock + 1e-9 or not (begun or due)):
+    while script and (script[0].at <= clock + 1e-9 or not begun):
+        begun = begun or script[0].kind == "start"
         due.append(script.pop(0))
     return due
 
 
 def obey_cue(stage: Stage, cue: Cue) -> None:
     """Give a cue to the stage."""
+    if cue.kind == "ground":
+        stage.lift_to(cue.ground)
+        return
     card = stage.card(cue.action)
     if card is None:
         return
@@ -79,7 +84,5 @@ def obey_cue(stage: Stage, cue: Cue) -> None:
         stage.start(card)
     elif cue.kind == "stop":
         stage.stop(card)
-    elif isinstance(cue.priority, float):
-        stage.set_priority(card, dict.fromkeys(PARTS, cue.priority))
     elif cue.priority is not None:
-        stage.set_priority(card, dict.fromkeys(PARTS, 0.0) | dict(cue.priority))
+        stage.set_priority(card, by_part(cue.priority))

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import contextlib
 import io
+from typing import Any
 
 import numpy as np
 import viser
+from viser.infra import WebsockClientConnection
 
 from footfall.arrays import Positions, Rotations
 from footfall.skeleton import Anatomy, Skeleton
@@ -217,13 +219,15 @@ def _refuse_foreigners(server: viser.ViserServer, allowed: tuple[str, ...]) -> N
     socket_server = server._websock_server  # pyright: ignore[reportPrivateUsage]
     connections = socket_server._live_connections  # pyright: ignore[reportPrivateUsage]
 
-    async def check(connection: viser.infra.WebsockClientConnection) -> None:
+    async def check(connection: WebsockClientConnection) -> None:
         socket = connections[connection.client_id]
         request = socket.request
-        headers = {} if request is None else request.headers
-        if not is_own_origin(headers.get("Origin"), headers.get("Host"), allowed):
+        origin = None if request is None else request.headers.get("Origin")
+        host = None if request is None else request.headers.get("Host")
+        if not is_own_origin(origin, host, allowed):
             await socket.close(1008, "foreign origin")
 
-    socket_server._client_connect_cb.insert(0, check)  # pyright: ignore[reportPrivateUsage]
+    callbacks: list[Any] = socket_server._client_connect_cb  # pyright: ignore
+    callbacks.insert(0, check)
     # A page that connected before the check was there connects again, and is checked.
     socket_server.disconnect_all_clients()

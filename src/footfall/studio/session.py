@@ -7,13 +7,11 @@ speak at once; long work is done beside, and takes the lock only to hand over wh
 from __future__ import annotations
 
 import threading
-from collections.abc import Callable, Sequence
-from pathlib import Path
+from collections.abc import Callable
 from typing import Any
 
-from footfall.errors import ArgumentError, FootfallError
+from footfall.errors import ArgumentError
 from footfall.scenario.cue_sheet import Cue, Scenario
-from footfall.scenario.motions import SAMPLE
 from footfall.studio.bodies import bodies_of
 from footfall.studio.crowd_stage import CrowdStage
 from footfall.studio.editor import SupportEditor
@@ -25,9 +23,6 @@ from footfall.studio.work_folder import WorkFolder
 __all__ = ["SPEEDS", "VIEWS", "Session", "Tell"]
 
 VIEWS = ("stage", "supports", "crowd")
-
-OPTIONS = ("cyclic", "clean", "mirror")
-"""How a motion may be read."""
 
 SPEEDS = (1.0, 0.5, 0.25, 0.1)
 """How fast time may pass."""
@@ -76,24 +71,6 @@ class Session:
         """Tell all tabs one line."""
         self.tell({"kind": "notice", "level": level, "text": " ".join(text.split())})
 
-    def load(self, files: Sequence[str | Path]) -> None:
-        """Load motions beside the live session; each that cannot be read is told, none stops it."""
-        title = f"loading {files[0]}" if len(files) == 1 else f"loading {len(files)} motions"
-
-        def work(job: Job) -> None:
-            for number, file in enumerate(files):
-                job.report(number / len(files), str(file))
-                try:
-                    loaded = self.motions.resolve(file)
-                    job.report((number + 1) / len(files), str(file))
-                except FootfallError as error:
-                    self.notice(str(error), "error")
-                    continue
-                with self.lock:
-                    self.take_in(loaded)
-
-        self.jobs.begin(title, work)
-
     def select(self, name: str) -> None:
         """Open a motion in the editor.
 
@@ -103,8 +80,6 @@ class Session:
         loaded = self.motions.find(name)
         if loaded is None:
             raise ArgumentError(f"no motion {name!r} to edit")
-        if self.editor is not None:
-            self.editor.release()
         motion = loaded.motion
         file = self.motions.supports_file(loaded.entry)
         self.editor = SupportEditor(name, motion.clip, motion.supports, file, self.folder)
@@ -134,36 +109,6 @@ class Session:
         self.body = name
         self.stage.body = bodies[name]
         self.restart()
-
-    def load_from_page(self, file: str) -> None:
-        """Load a sample, or a file of the folder.
-
-        Raises:
-            FileFormatError: If it lies elsewhere, or is too large.
-        """
-        if not file.startswith(SAMPLE):
-            self.folder.readable(file)
-        self.load([file])
-
-    def set_option(self, name: str, option: str, on: bool) -> None:
-        """Change how a motion is read, beside the live session.
-
-        Raises:
-            ArgumentError: If there is no such motion or option.
-        """
-        if self.motions.find(name) is None or option not in OPTIONS:
-            raise ArgumentError(f"no option {option!r} of {name!r}; {', '.join(OPTIONS)} are")
-
-        def work(job: Job) -> None:
-            job.report(0.1)
-            # Supports that were corrected by hand belong to the motion as it was.
-            loaded = self.motions.reload(name, **{option: on, "supports": None})
-            job.report(1.0)
-            with self.lock:
-                self.motions.keep(loaded)
-                self.motions_changed()
-
-        self.jobs.begin(f"reading {name} again", work)
 
     def remove(self, name: str) -> None:
         """Forget a motion."""
@@ -259,7 +204,8 @@ class Session:
         elif loaded.motion.clip is not editor.clip:
             self.select(editor.name)
 
-    def _jobs_changed(self) -> None:
+    def jobs_json(self) -> dict[str, Any]:
+        """Return the long work that is not over."""
         jobs = [
             {
                 "number": job.number,
@@ -270,4 +216,7 @@ class Session:
             }
             for job in self.jobs.present
         ]
-        self.tell({"kind": "jobs", "jobs": jobs})
+        return {"kind": "jobs", "jobs": jobs}
+
+    def _jobs_changed(self) -> None:
+        self.tell(self.jobs_json())

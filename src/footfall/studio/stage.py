@@ -6,19 +6,17 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
 from footfall.scenario.cue_sheet import ActionEntry, Cue, Scenario
+from footfall.scenario.ground_lift import GroundLift
 from footfall.scenario.motions import Motion
 from footfall.skeleton import Skeleton
 from footfall.studio.motion_list import LoadedMotion, MotionList
 from footfall.studio.performer import Performer
 from footfall.studio.take import Take
 
-__all__ = ["PARTS", "Card", "Stage"]
+__all__ = ["PARTS", "Card", "Stage", "by_part"]
 
 PARTS = ("legs", "trunk", "head", "left_arm", "right_arm")
 """Body parts with a priority of their own, in the order of the engine's."""
-
-LIFT_SPEED = 0.4
-"""How fast the ground rises and sinks [m/s]."""
 
 
 @dataclass(eq=False)
@@ -48,7 +46,7 @@ class Stage:
         """Prepare a take with all motions of the list that mix."""
         self._list = motions
         self.body: Skeleton | None = None
-        self.lift_asked = 0.0
+        self.lift = GroundLift()
         self.cards: list[Card] = []
         self.restart()
 
@@ -68,7 +66,7 @@ class Stage:
         self.ghost: Performer | None = None
         if self._motions:
             self._prepare(0)
-            for one in self._pair():
+            for one in self.pair():
                 one.stand()
 
     def _card(self, loaded: LoadedMotion, old: Card | None) -> Card:
@@ -76,16 +74,22 @@ class Stage:
             return Card(loaded.name, loaded.name, old.priority, old.fades)
         entry = loaded.entry
         return Card(
-            loaded.name, loaded.name, _by_part(entry.priority), (entry.fade_in, entry.fade_out)
+            loaded.name, loaded.name, by_part(entry.priority), (entry.fade_in, entry.fade_out)
         )
+
+    def _begin(self, leading: int) -> None:
+        """Begin the take: a ground that was raised before rises again, as a scenario can say it."""
+        self._prepare(leading)
+        self.begun = True
+        self.lift = GroundLift(asked=self.lift.asked)
+        if self.lift.asked:
+            self.take = self.take.with_cue(Cue(0.0, "ground", ground=self.lift.asked))
 
     def _prepare(self, leading: int) -> None:
         motions = tuple(self._motions)
         scenario = self.take.scenario
         self.performer = Performer(scenario, motions, leading, body=self.body)
         self.ghost = Performer(scenario, motions, leading, body=self.body, synchronized=False)
-        for one in (self.performer, self.ghost):
-            one.raise_ground(self.lift_asked)
 
     def add(self, loaded: LoadedMotion) -> None:
         """Let one more motion be performed, while the take goes on."""
@@ -99,20 +103,19 @@ class Stage:
     def start(self, card: Card) -> None:
         """Start an action, or let it wait; the first start begins the take."""
         if not self.begun:
-            self._prepare(self._index(card.action))
-            self.begun = True
-        performer, ghost = self._pair()
+            self._begin(self._index(card.action))
+        performer, ghost = self.pair()
         card.reason = performer.start(card.action)
         ghost.start(card.action)
         self._log("start", card)
-        if card.priority != _by_part(self._entry(card.action).priority):
+        if card.priority != by_part(self._entry(card.action).priority):
             self._tell_priority(card)
 
     def stop(self, card: Card) -> None:
         """Let an action fade out, or cancel its wait."""
         if not self.begun:
             return
-        performer, ghost = self._pair()
+        performer, ghost = self.pair()
         performer.stop(card.action)
         ghost.stop(card.action)
         card.reason = ""
@@ -129,7 +132,7 @@ class Stage:
     def set_priority(self, card: Card, priority: dict[str, float]) -> None:
         """Change the priority of an action, now and at every later start."""
         card.priority = priority
-        if self.begun and self._pair()[0].is_active(card.action):
+        if self.begun and self.pair()[0].is_active(card.action):
             self._tell_priority(card)
 
     def set_fades(self, card: Card, fade_in: float, fade_out: float) -> None:
@@ -153,20 +156,22 @@ class Stage:
 
     def lift_to(self, height: float) -> None:
         """Let the ground rise or sink to so far above where the first motion had it [m]."""
-        self.lift_asked = height
+        self.lift.asked = height
+        if self.begun:
+            at = self.pair()[0].clock
+            self.take = self.take.with_cue(Cue(at, "ground", ground=height))
 
     def advance(self) -> None:
         """Let one frame pass, once the take has begun; the ground moves towards its height."""
         if self.performer is None or self.ghost is None:
             return
-        step = LIFT_SPEED / self.take.scenario.fps
-        way = self.lift_asked - self.performer.lift
-        lift = self.performer.lift + min(max(way, -step), step)
+        self.lift.advance(1.0 / self.take.scenario.fps)
         for one in (self.performer, self.ghost):
-            if way:
-                one.raise_ground(lift)
             if self.begun:
-                one.advance()
+                one.advance(self.lift.height)
+            elif one.lift != self.lift.height:
+                one.raise_ground(self.lift.height)
+                one.stand()
 
     def activity(self) -> dict[str, str]:
         """Return what each motion does, by name."""
@@ -191,11 +196,12 @@ class Stage:
     def _append(self, entry: ActionEntry, motion: Motion) -> None:
         self._entries.append(entry)
         self._motions.append(motion)
-        for one in self._pair():
+        for one in self.pair():
             one.add(entry, motion)
         self.take = Take(replace(self.take.scenario, actions=tuple(self._entries)))
 
-    def _pair(self) -> tuple[Performer, Performer]:
+    def pair(self) -> tuple[Performer, Performer]:
+        """Return the character and its ghost; there must be a motion."""
         assert self.performer is not None
         assert self.ghost is not None
         return self.performer, self.ghost
@@ -207,13 +213,13 @@ class Stage:
         return self._entries[self._index(action)]
 
     def _tell_priority(self, card: Card) -> None:
-        for one in self._pair():
+        for one in self.pair():
             one.set_priority(card.action, card.priority)
-        at = self._pair()[0].clock
+        at = self.pair()[0].clock
         self.take = self.take.with_cue(Cue(at, "priority", card.action, dict(card.priority)))
 
     def _log(self, kind: str, card: Card) -> None:
-        at = self._pair()[0].clock
+        at = self.pair()[0].clock
         cue = Cue(at, "start" if kind == "start" else "stop", card.action)
         self.take = self.take.with_cue(cue)
 
@@ -223,7 +229,7 @@ class Stage:
         return tuple(self._motions)
 
 
-def _by_part(priority: float | Mapping[str, float]) -> dict[str, float]:
+def by_part(priority: float | Mapping[str, float]) -> dict[str, float]:
     """Return a priority as the sliders show it."""
     if not isinstance(priority, Mapping):
         return dict.fromkeys(PARTS, float(priority))

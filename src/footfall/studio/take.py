@@ -34,13 +34,15 @@ def scenario_text(scenario: Scenario) -> str:
         lines.append(f"planner = {_quoted(scenario.planner)}")
     if scenario.body is not None:
         lines.append(f"body = {_quoted(scenario.body)}")
-    used = {cue.action for cue in scenario.cues}
+    used = {cue.action for cue in scenario.cues if cue.kind != "ground"}
     for entry in scenario.actions:
         if entry.name in used or not used:
             lines += ["", "[[action]]", *_action_lines(entry)]
     for cue in scenario.cues:
         lines += ["", "[[cue]]", f"at = {cue.at!r}"]
-        if cue.kind == "priority":
+        if cue.kind == "ground":
+            lines.append(f"ground = {cue.ground!r}")
+        elif cue.kind == "priority":
             assert cue.priority is not None
             lines.append(f"priority = {{ {_quoted(cue.action)} = {_priority(cue.priority)} }}")
         else:
@@ -60,9 +62,7 @@ def _action_lines(entry: ActionEntry) -> list[str]:
         lines.append(f"cyclic = {str(entry.cyclic).lower()}")
     if entry.supports is not None:
         lines.append(f"supports = {_quoted(entry.supports)}")
-    for flag in ("mirror", "clean"):
-        if getattr(entry, flag):
-            lines.append(f"{flag} = true")
+    lines += [f"{flag} = true" for flag in ("mirror", "clean") if getattr(entry, flag)]
     if entry.crop is not None:
         lines.append(f"crop = [{entry.crop[0]!r}, {entry.crop[1]!r}]")
     return lines

@@ -38,7 +38,6 @@ function settings(data, motion) {
       fades[key] = value;
       say("fades", { name, ...fades });
     });
-    row.lastChild.after();
     area.append(row);
   }
   const text = document.createElement("div");
@@ -80,9 +79,9 @@ function build(state) {
     each.style.setProperty("--tone", TONES[index % TONES.length]);
     each.classList.toggle("open", open.has(data.name));
     each.innerHTML = '<div class="row"><kbd></kbd><span class="name"></span>'
-      + '<span class="pill state"></span><span class="pill held"></span>'
+      + '<span class="pill state"></span>'
       + '<button class="go">Start</button><button class="more" aria-label="Settings"></button></div>'
-      + '<div class="bar"><i></i></div><p class="reason"></p>';
+      + '<div class="row under"><div class="bar"><i></i></div><span class="pill held"></span></div><p class="reason"></p>';
     const badge = each.querySelector("kbd");
     badge.textContent = index < 9 ? index + 1 : "";
     badge.hidden = index >= 9;

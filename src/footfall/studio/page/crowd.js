@@ -79,10 +79,11 @@ export function draw() {
     return;
   }
   const end = history.at(-1)[0];
+  const shown = Math.min(SECONDS, Math.max(10, end - history[0][0]));
   const span = width - LEFT - 16;
-  const x = (time) => LEFT + (1 - (end - time) / SECONDS) * span;
+  const x = (time) => LEFT + (1 - (end - time) / shown) * span;
   const tall = (height - 44) / groups.length;
-  words("share of each action in each group, the last 30 seconds", LEFT, 14, { color: SOFT, size: 11.5 });
+  words(`share of each action in each group, the last ${shown.toFixed(0)} seconds`, LEFT, 14, { color: SOFT, size: 11.5 });
   groups.forEach((name, group) => {
     const base = 22 + (group + 1) * tall - 5;
     words(name, 26, base - tall / 2 + 8, { weight: 600, size: 13 });
