@@ -64,45 +64,47 @@ def until(true: Callable[[], object], what: str) -> None:
 
 
 def overflowing(page: Any) -> list[str]:
-    """Return what on the page is cut off, or reaches beyond the window."""
-    return cast(
-        list[str],
-        page.evaluate("""() => {
-          const bad = [];
-          const clipped = (e) => ["hidden", "clip", "auto", "scroll"].includes(getComputedStyle(e).overflowX);
-          for (const e of document.querySelectorAll("button, summary, kbd, select, output, h1, h2, label, p, small")) {
-            const box = e.getBoundingClientRect();
-            if (!box.width || !box.height || e.closest("details:not([open]) > div")) continue;
-            const name = `${e.tagName} ${e.textContent.trim().slice(0, 30)}`;
-            if (box.left < -1 || box.right > innerWidth + 1) bad.push(`${name} beyond the window`);
-            if (e.tagName !== "SELECT" && e.scrollWidth > e.clientWidth + 1 && !clipped(e) && e.clientWidth) bad.push(`${name} is cut`);
-            const parent = e.closest(".card, .box, .hud, header");
-            if (parent) {
-              const outer = parent.getBoundingClientRect();
-              if (box.right > outer.right + 1 || box.left < outer.left - 1) bad.push(`${name} beyond its box`);
-            }
-          }
-          return bad;
-        }"""),
-    )
+    """Return what on the page is cut off, or reaches beyond the window or its box."""
+    return cast(list[str], page.evaluate(OVERFLOWING))
 
 
 def overlapping(page: Any) -> list[str]:
     """Return pairs of controls that lie on each other."""
-    return cast(
-        list[str],
-        page.evaluate("""() => {
-          const seen = [...document.querySelectorAll("header button, header summary, header output, .hud, .card .row > *, .box button")]
-            .filter((e) => e.checkVisibility() && e.getBoundingClientRect().width && !e.closest("details > div"));
-          const bad = [];
-          seen.forEach((a, i) => seen.slice(i + 1).forEach((b) => {
-            if (a.contains(b) || b.contains(a)) return;
-            const [p, q] = [a.getBoundingClientRect(), b.getBoundingClientRect()];
-            const wide = Math.min(p.right, q.right) - Math.max(p.left, q.left);
-            const tall = Math.min(p.bottom, q.bottom) - Math.max(p.top, q.top);
-            const shown = (e) => !e.closest(".list") ;
-            if (wide > 1 && tall > 1 && shown(a) && shown(b)) bad.push(`${a.textContent.trim().slice(0, 20)} on ${b.textContent.trim().slice(0, 20)}`);
-          }));
-          return bad;
-        }"""),
-    )
+    return cast(list[str], page.evaluate(OVERLAPPING))
+
+
+OVERFLOWING = """() => {
+  const bad = [];
+  const clips = (e) => getComputedStyle(e).overflowX !== "visible";
+  const kinds = "button, summary, kbd, select, output, h1, h2, label, p, small";
+  for (const e of document.querySelectorAll(kinds)) {
+    const box = e.getBoundingClientRect();
+    if (!box.width || !box.height || e.closest("details:not([open]) > div")) continue;
+    const name = `${e.tagName} ${e.textContent.trim().slice(0, 30)}`;
+    if (box.left < -1 || box.right > innerWidth + 1) bad.push(`${name} beyond the window`);
+    if (e.tagName !== "SELECT" && e.clientWidth && !clips(e) && e.scrollWidth > e.clientWidth + 1) {
+      bad.push(`${name} is cut`);
+    }
+    const outer = e.closest(".card, .box, .hud, header")?.getBoundingClientRect();
+    if (outer && (box.right > outer.right + 1 || box.left < outer.left - 1)) {
+      bad.push(`${name} beyond its box`);
+    }
+  }
+  return bad;
+}"""
+
+OVERLAPPING = """() => {
+  const kinds = "header button, header summary, header output, .hud, .card .row > *, .box button";
+  const seen = [...document.querySelectorAll(kinds)].filter((e) => e.checkVisibility()
+    && e.getBoundingClientRect().width && !e.closest("details > div") && !e.closest(".list"));
+  const bad = [];
+  seen.forEach((a, i) => seen.slice(i + 1).forEach((b) => {
+    if (a.contains(b) || b.contains(a)) return;
+    const [p, q] = [a.getBoundingClientRect(), b.getBoundingClientRect()];
+    const wide = Math.min(p.right, q.right) - Math.max(p.left, q.left);
+    const tall = Math.min(p.bottom, q.bottom) - Math.max(p.top, q.top);
+    const [one, other] = [a, b].map((e) => e.textContent.trim().slice(0, 20));
+    if (wide > 1 && tall > 1) bad.push(`${one} on ${other}`);
+  }));
+  return bad;
+}"""

@@ -10,22 +10,17 @@ const box = document.getElementById("editing");
 let held = null; // What the pointer holds: {kind, foot, band, side}
 let chosen = null; // The band that keys act on: {foot, band}
 let hover = null;
+const queue = [];
 let sending = false;
-let next = null;
 
 // While something is dragged only its latest place matters: one message is on its way at a time.
-function stream(word, fields) {
-  next = [word, fields];
+async function stream(word, fields) {
+  if (queue.at(-1)?.[0] === word) queue.pop();
+  queue.push([word, fields]);
   if (sending) return;
   sending = true;
-  (async () => {
-    while (next) {
-      const [now, what] = next;
-      next = null;
-      await say(now, what);
-    }
-    sending = false;
-  })();
+  while (queue.length) await say(...queue.shift());
+  sending = false;
 }
 
 function layout() {
