@@ -24,6 +24,12 @@ def activity(page: Any, name: str) -> str:
     )
 
 
+def look_at(page: Any, view: str) -> None:
+    """Change the view, and wait until the page has it."""
+    page.click(f"[data-show={view}]")
+    page.wait_for_selector(f"body[data-view={view}]", timeout=60_000)
+
+
 def edge(page: Any, foot: int, band: int, side: int) -> tuple[float, float]:
     """Return where an edge of a band is in the window."""
     x, y = page.evaluate(
@@ -68,7 +74,7 @@ def test_the_whole_story_of_a_user(tmp_path: Path) -> None:
 
 
 def drag_an_edge_and_save(studio: Any, page: Any, folder: Path) -> None:
-    page.click("[data-show=supports]")
+    look_at(page, "supports")
     until(lambda: page.evaluate("Boolean(studio.known.edit)"), "the editor")
     page.wait_for_timeout(1500)
     before = page.evaluate("studio.known.edit.bands[0][0][1]")
@@ -95,7 +101,7 @@ def drag_an_edge_and_save(studio: Any, page: Any, folder: Path) -> None:
 
 
 def see_why_it_waits(page: Any) -> None:
-    page.click("[data-show=stage]")
+    look_at(page, "stage")
     page.keyboard.press("1")
     until(lambda: activity(page, "walk") == "running", "the walk")
     # A kick begins on both feet, and only there: sooner or later its start has to wait.
@@ -165,9 +171,9 @@ def test_nothing_is_cut_and_nothing_overlaps_in_any_view(
             elif view == "menu":
                 page.click("#save summary")
             else:
-                page.click(f"[data-show={view}]")
+                look_at(page, view)
             if view == "crowd":
-                page.keyboard.press(" ")
+                page.click("#pause")
                 until(lambda: page.evaluate("Boolean(studio.known.herd)"), "the crowd")
                 page.click("[aria-label='run, group B']")
                 page.click("[aria-label='side-step, group D']")
@@ -182,7 +188,7 @@ def test_nothing_is_cut_and_nothing_overlaps_in_any_view(
 @pytest.mark.full
 def test_a_drag_reaches_the_engine_within_fifty_milliseconds(tmp_path: Path) -> None:
     with studio_in_browser(tmp_path, files=["sample:walk"]) as (_, page):
-        page.click("[data-show=supports]")
+        look_at(page, "supports")
         until(lambda: page.evaluate("Boolean(studio.known.edit)"), "the editor")
         times = page.evaluate(
             """async () => {

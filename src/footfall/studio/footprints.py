@@ -21,7 +21,7 @@ SOLE = np.array(
 
 COLORS = ((34, 116, 184), (214, 118, 14))
 
-ABOVE = 0.004
+ABOVE = 0.012
 """Height over the ground, so that prints are seen [m]."""
 
 

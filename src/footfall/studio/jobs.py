@@ -114,7 +114,7 @@ class Jobs:
         except FootfallError as error:
             self._failed(str(error))
         except (MemoryError, OSError) as error:
-            self._failed(f"{job.title}: {error or type(error).__name__}")
+            self._failed(f"{job.title}: {str(error) or type(error).__name__}")
         except Exception as error:
             # Whatever went wrong in one file must not end the session of all tabs.
             self._failed(f"{job.title}: unexpected {type(error).__name__}: {error}")

@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+import numpy as np
+
 from footfall.errors import FootfallError, ScenarioError
 from footfall.scenario.cue_sheet import ActionEntry, Scenario
 from footfall.scenario.motions import SAMPLE, Motion, resolve_motion, supports_path
@@ -69,8 +71,9 @@ class MotionList:
         """The bodies of `family`, each once."""
         found: list[Skeleton] = []
         for one in self.family:
-            if not any(one.motion.clip.skeleton is other for other in found):
-                found.append(one.motion.clip.skeleton)
+            skeleton = one.motion.clip.skeleton
+            if not any(np.allclose(skeleton.rest_offsets, other.rest_offsets) for other in found):
+                found.append(skeleton)
         return found
 
     def sheet(self) -> Scenario:

@@ -37,8 +37,8 @@ CAMERAS = {
 }
 """Where each view is looked from, and what at [m]."""
 
-GHOST_ASIDE = 1.1
-"""How far beside the body its ghost is drawn [m]."""
+GHOST_ASIDE = -1.1
+"""How far beside the body its ghost is drawn, beyond it as seen by the camera [m]."""
 
 
 class StudioScene:

@@ -46,7 +46,7 @@ class WorkFolder:
             real = path.parent.resolve() / path.name
         except (OSError, RuntimeError, ValueError) as error:
             raise FileFormatError(f"is no name of a file: {error}", path=path) from None
-        if not real.is_relative_to(self.root) or real.name in ("", ".", ".."):
+        if not real.is_relative_to(self.root) or real == self.root or real.name == "..":
             raise FileFormatError(
                 f"lies outside of {self.root}, where the studio was started; it writes nowhere "
                 "else, so start it in the folder of the file",

@@ -162,7 +162,7 @@ addEventListener("keydown", (event) => {
   if (!known.state || event.altKey) return;
   const control = event.ctrlKey || event.metaKey;
   if (view() === "supports" && known.clip && editor.key(event)) event.preventDefault();
-  else if (event.key === " " && !event.target.matches("button,summary")) {
+  else if (event.key === " " && !event.target.matches("button:focus-visible,summary:focus-visible")) {
     event.preventDefault();
     pause();
   } else if (!control && view() === "stage" && /^[1-9]$/.test(event.key)) toggle(+event.key - 1);
