@@ -38,6 +38,10 @@ def studio_in_browser(
         pytest.skip("no chromium here; the Debian package of this name is needed")
     sync_api = pytest.importorskip("playwright.sync_api", reason="playwright is not installed")
     errors: list[str] = []
+
+    def failed(error: object) -> None:
+        errors.append(str(error))
+
     with (
         open_studio(files or (), folder=folder, port=0) as studio,
         sync_api.sync_playwright() as driver,
@@ -45,7 +49,7 @@ def studio_in_browser(
         studio.session.jobs.wait()
         browser = driver.chromium.launch(executable_path=CHROMIUM, args=ARGUMENTS)
         page = browser.new_page(viewport={"width": width, "height": height})
-        page.on("pageerror", lambda error: errors.append(str(error)))
+        page.on("pageerror", failed)
         page.goto(studio.url)
         page.wait_for_selector(".card", timeout=1000 * LONGEST_WAIT)
         try:

@@ -203,4 +203,4 @@ def test_a_drag_reaches_the_engine_within_fifty_milliseconds(tmp_path: Path) -> 
             }"""
         )
         print(f"drag: median {statistics.median(times):.1f} ms, most {max(times):.1f} ms")
-        assert statistics.median(times) < 50.0
+        assert sorted(times)[int(0.95 * len(times))] < 50.0

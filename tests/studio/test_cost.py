@@ -33,7 +33,7 @@ drain(f"ws://127.0.0.1:{page}/session", None)
 SECONDS = 6.0
 
 
-def cores_used(studio: Any) -> float:
+def cores_used() -> float:
     """Return how much processor time passes in this process per second."""
     wall, own = time.perf_counter(), time.process_time()
     time.sleep(SECONDS)
@@ -60,7 +60,7 @@ def test_less_than_half_a_core(tmp_path: Path, what: str) -> None:
                 session.jobs.wait()
             time.sleep(3.0)
             before = moments(session)
-            used = cores_used(studio)
+            used = cores_used()
             rate = (moments(session) - before) / SECONDS
             print(f"{what}: {used:.2f} cores, {rate:.1f} frames a second")
             assert used < 0.5

@@ -184,8 +184,9 @@ def test_a_character_shows_its_own_actions_and_body(tmp_path: Path, monkeypatch:
     clip, supports = ff.sample("walk")
     hero = ff.Character(clip.skeleton)
     hero.add("my walk", clip, supports, priority={"legs": 2.0})
-    with hero.show() as shown:  # pyright: ignore
-        session: Any = shown.session  # pyright: ignore
+    shown: Any = hero.show()
+    with shown:
+        session = shown.session
         assert [card.name for card in session.stage.cards] == ["my walk"]
         assert session.stage.cards[0].priority["legs"] == 2.0
         assert notices(session, {"do": "start", "name": "my walk"}) == []

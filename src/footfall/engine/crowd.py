@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -15,6 +15,7 @@ from footfall.engine.library import MotionLibrary
 from footfall.engine.pipeline import advance_rows
 from footfall.engine.priorities import parse_priority
 from footfall.engine.record import SEATS
+from footfall.engine.rows import Rows, row_numbers
 from footfall.engine.shelf import Shelf
 from footfall.engine.state import EMPTY, new_characters, new_workspace
 from footfall.errors import ArgumentError, SkeletonError
@@ -22,8 +23,6 @@ from footfall.skeleton import Skeleton
 from footfall.sync.tables import Planner, Rules, rules_of
 
 __all__ = ["Crowd"]
-
-Rows = Sequence[int] | npt.NDArray[Any] | None
 
 
 class Crowd:
@@ -92,21 +91,7 @@ class Crowd:
             self._known = len(self.library.actions)
 
     def _check_rows(self, rows: Rows) -> Indices:
-        if rows is None:
-            return np.arange(self.size)
-        chosen = np.asarray(rows)
-        if chosen.dtype == np.bool_ and chosen.shape == (self.size,):
-            return np.flatnonzero(chosen)
-        if chosen.ndim != 1 or (chosen.size and not np.issubdtype(chosen.dtype, np.integer)):
-            raise ArgumentError(
-                f"rows of shape {chosen.shape} and type {chosen.dtype}; a list of row numbers or "
-                f"a mask of shape ({self.size},) is needed"
-            )
-        if chosen.size and not (chosen.min() >= 0 and chosen.max() < self.size):
-            raise ArgumentError(
-                f"rows {chosen.min()}..{chosen.max()}; this crowd has rows 0..{self.size - 1}"
-            )
-        return chosen.astype(np.int64)
+        return row_numbers(rows, self.size)
 
     def _check_action(self, action: int) -> int:
         if not 0 <= action < len(self.library.actions):
