@@ -101,7 +101,6 @@ def _soles(scene: SceneApi, name: str, foot: int) -> BatchedMeshHandle:
         batched_positions=np.zeros((MOST, 3)),
         batched_scales=np.zeros((MOST, 3)),
         batched_colors=COLORS[foot],
-        opacity=0.9,
         side="double",
         lod="off",
         cast_shadow=False,
