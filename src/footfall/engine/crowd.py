@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from footfall.adaptation import Plane
-from footfall.arrays import Indices, Positions, Rotations, Supports
+from footfall.arrays import Positions, Rotations, Supports
 from footfall.engine.commands import NO_SEAT, start_row, stop_row
 from footfall.engine.library import MotionLibrary
 from footfall.engine.pipeline import advance_rows
@@ -90,9 +90,6 @@ class Crowd:
             self._shelf = self.library.shelf(self._planner)
             self._known = len(self.library.actions)
 
-    def _check_rows(self, rows: Rows) -> Indices:
-        return row_numbers(rows, self.size)
-
     def _check_action(self, action: int) -> int:
         if not 0 <= action < len(self.library.actions):
             raise ArgumentError(
@@ -117,7 +114,7 @@ class Crowd:
                 its hands full.
         """
         action = self._check_action(action)
-        chosen = self._check_rows(rows)
+        chosen = row_numbers(rows, self.size)
         started = np.zeros(len(chosen), dtype=np.bool_)
         for place, row in enumerate(chosen):
             code = start_row(self._shelf, self._characters, self._rules, int(row), action)
@@ -140,7 +137,7 @@ class Crowd:
             ArgumentError: If the action or a row does not exist.
         """
         action = self._check_action(action)
-        for row in self._check_rows(rows):
+        for row in row_numbers(rows, self.size):
             stop_row(self._shelf, self._characters, int(row), action)
 
     def set_priority(
@@ -159,7 +156,7 @@ class Crowd:
         """
         action = self._check_action(action)
         values = parse_priority(priority)
-        for row in self._check_rows(rows):
+        for row in row_numbers(rows, self.size):
             seats = (self._characters["action"][row] == action) & (
                 self._characters["status"][row] != EMPTY
             )
@@ -179,7 +176,7 @@ class Crowd:
         Raises:
             ArgumentError: If a row does not exist or a number is not finite.
         """
-        chosen = self._check_rows(rows)
+        chosen = row_numbers(rows, self.size)
         places = np.broadcast_to(np.asarray(position, dtype=np.float64), (len(chosen), 2))
         headings = np.broadcast_to(np.asarray(heading, dtype=np.float64), (len(chosen),))
         if not (np.isfinite(places).all() and np.isfinite(headings).all()):
@@ -190,16 +187,12 @@ class Crowd:
         self._characters["foot_velocity"][chosen] = 0.0
 
     def raise_ground(self, height: float, rows: Rows = None) -> None:
-        """Put the level ground at another height; who stands on it is carried along.
-
-        Args:
-            height: Where it lies from now on, y [m].
-            rows: Which characters: row numbers, a mask, or None for all.
+        """Put the level ground at another height [m]; who stands on it is carried along.
 
         Raises:
             ArgumentError: If a row does not exist or the height is not finite.
         """
-        self._characters["ground_height"][self._check_rows(rows)] = Plane(height).height
+        self._characters["ground_height"][row_numbers(rows, self.size)] = Plane(height).height
 
     def advance(self, dt: float) -> None:
         """Let time pass for everybody.

@@ -60,12 +60,14 @@ class Play:
         cues = list(self.scenario.cues)
         for frame in range(int(self.scenario.duration * fps + 1e-6) + 1):
             time = frame / fps
+            # A cue moves the ground from the next frame on, as it does where a hand gives it.
+            rises = frame > 0 and self.lift.advance(1.0 / fps)
             while cues and cues[0].at <= time + _SAME:
                 cue = cues.pop(0)
                 self._advance(cue.at)
                 self._command(cue)
             self._advance(time)
-            if frame > 0 and self.lift.advance(1.0 / fps):
+            if rises:
                 self.character.raise_ground(self.ground + self.lift.height)
                 self.character.advance(0.0)
             self.lifts.append(self.lift.height)

@@ -35,8 +35,9 @@ def scenario_text(scenario: Scenario) -> str:
     if scenario.body is not None:
         lines.append(f"body = {_quoted(scenario.body)}")
     used = {cue.action for cue in scenario.cues if cue.kind != "ground"}
-    for entry in scenario.actions:
-        if entry.name in used or not used:
+    for number, entry in enumerate(scenario.actions):
+        # The first one is the body, and how it stands that does nothing.
+        if entry.name in used or number == 0:
             lines += ["", "[[action]]", *_action_lines(entry)]
     for cue in scenario.cues:
         lines += ["", "[[cue]]", f"at = {cue.at!r}"]
