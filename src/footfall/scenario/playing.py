@@ -61,15 +61,13 @@ class Play:
         for frame in range(int(self.scenario.duration * fps + 1e-6) + 1):
             time = frame / fps
             # A cue moves the ground from the next frame on, as it does where a hand gives it.
-            rises = frame > 0 and self.lift.advance(1.0 / fps)
+            if frame > 0 and self.lift.advance(1.0 / fps):
+                self.character.raise_ground(self.ground + self.lift.height)
             while cues and cues[0].at <= time + _SAME:
                 cue = cues.pop(0)
                 self._advance(cue.at)
                 self._command(cue)
             self._advance(time)
-            if rises:
-                self.character.raise_ground(self.ground + self.lift.height)
-                self.character.advance(0.0)
             self.lifts.append(self.lift.height)
             if frame == 0:
                 self.character.advance(0.0)

@@ -179,11 +179,10 @@ class Performer:
         """Let one frame pass, at the end of which the ground is so high [m]."""
         self.frame += 1
         time = self.frame / self._fps
-        self._character.advance(time - self._clock)
-        self._clock = time
         if lift != self.lift:
             self.raise_ground(lift)
-            self._character.advance(0.0)
+        self._character.advance(time - self._clock)
+        self._clock = time
         self.slip.measure(self.foot_points, self.support, self.ground)
 
     def states(self) -> tuple[ActionState, ...]:
