@@ -104,15 +104,19 @@ def see_why_it_waits(page: Any) -> None:
     look_at(page, "stage")
     page.keyboard.press("1")
     until(lambda: activity(page, "walk") == "running", "the walk")
-    # A kick begins on both feet, and only there: sooner or later its start has to wait.
-    for _ in range(12):
+    # A kick begins on both feet, and only there: sooner or later its start has to wait. Time
+    # stands still meanwhile, so that the reason can be read.
+    for _ in range(20):
+        page.evaluate("studio.say('pause', {on: true})")
         page.evaluate("studio.say('start', {name: 'kick'})")
-        time.sleep(0.1)
+        page.wait_for_timeout(300)
         if activity(page, "kick") == "waiting":
             break
         page.evaluate("studio.say('stop', {name: 'kick'})")
+        page.evaluate("studio.say('pause', {on: false})")
         until(lambda: activity(page, "kick") == "idle", "the end of the kick")
     until(lambda: "waiting because" in page.inner_text("[data-name=kick] .reason"), "the reason")
+    page.evaluate("studio.say('pause', {on: false})")
     until(lambda: activity(page, "kick") != "waiting", "the end of the wait")
 
 
