@@ -26,7 +26,7 @@ COLORS = {
 PLANTED = {Tone.LEFT_FOOT: (59, 143, 208), Tone.RIGHT_FOOT: (230, 145, 42)}
 """Feet that are commanded to carry, in the colors of their supports."""
 
-GHOST = (150, 158, 170)
+GHOST = (198, 205, 214)
 
 
 @dataclass(eq=False)
@@ -55,7 +55,7 @@ class Figure:
             name: Of the scene node that its limbs hang under.
             skeleton: Its body.
             anatomy: What the joints are.
-            ghostly: Whether it is seen through.
+            ghostly: Whether it is pale, and casts no shadow.
         """
         self.root = scene.add_frame(name, show_axes=False)
         self._planted: tuple[bool, bool] | None = None
@@ -73,7 +73,6 @@ class Figure:
                     surface.positions[used].astype(np.float32),
                     faces.reshape(-1, 3),
                     color=GHOST if ghostly else COLORS[Tone(tone)],
-                    opacity=0.28 if ghostly else None,
                     cast_shadow=not ghostly,
                     receive_shadow=False,
                 )
