@@ -39,7 +39,8 @@ MAY_IMPORT: dict[str, frozenset[str]] = {
     "view": _ALL_BUT_FACES | {"report"},
     "robots": _BODIES | {"io"},
     "datasets": _ALL_BUT_FACES | {"report", "view"},
-    "cli": _ALL_BUT_FACES | {"report", "view", "datasets", "robots", "footfall"},
+    "studio": _ALL_BUT_FACES | {"report", "view"},
+    "cli": _ALL_BUT_FACES | {"report", "studio", "view", "datasets", "robots", "footfall"},
     "__main__": frozenset({"cli"}),
     "footfall": _ALL_BUT_FACES | {"report"},
 } | dict.fromkeys(OPEN, _NOBODY)

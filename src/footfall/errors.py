@@ -8,6 +8,7 @@ FootfallError
 ├── ScenarioError            a cue sheet that cannot be played (also ValueError)
 ├── ArgumentError            an argument out of its range (also ValueError)
 ├── MissingExtraError        an optional library that is not installed (also ImportError)
+├── MissingViewerError       a viewer, or what it needs, is not installed (also ImportError)
 └── UnknownNameError         a name that is not there; lists those that are (also LookupError)
 
 Each message says what is wrong and where, with the numbers, then what would be right.
@@ -24,6 +25,7 @@ __all__ = [
     "FileFormatError",
     "FootfallError",
     "MissingExtraError",
+    "MissingViewerError",
     "ScenarioError",
     "SkeletonError",
     "SupportSequenceError",
@@ -53,6 +55,10 @@ class ScenarioError(FootfallError, ValueError):
 
 class ArgumentError(FootfallError, ValueError):
     """An argument is out of its range."""
+
+
+class MissingViewerError(FootfallError, ImportError):
+    """A viewer, or what it needs, is not installed."""
 
 
 class FileFormatError(FootfallError, ValueError):

@@ -127,9 +127,11 @@ BAD_CUES = {
     "[[cue]]\nat = -0.1\nstart = 'walk'\n": "cue[0].at is -0.1; it must be a number, 0 to 10",
     "[[cue]]\nat = 1\nstart = 'run'\n": "cue[0].start is 'run'; there are: walk",
     "[[cue]]\nat = 1\npriority = { run = 1 }\n": "cue[0].priority names 'run'; there are: walk",
-    "[[cue]]\nat = 1\n": "cue[0] has no command; it must have one of start, stop and priority",
+    "[[cue]]\nat = 1\n": (
+        "cue[0] has no command; it must have one of start, stop, priority and ground"
+    ),
     "[[cue]]\nat = 1\nstart = 'walk'\nstop = 'walk'\n": (
-        "cue[0] has start and stop; it must have one of start, stop and priority"
+        "cue[0] has start and stop; it must have one of start, stop, priority and ground"
     ),
 }
 

@@ -20,6 +20,7 @@ from footfall.cli.retargeting import retarget
 from footfall.cli.robotics import robot, robot_model
 from footfall.cli.scheduling import sync
 from footfall.cli.staging import blend, report
+from footfall.cli.studio import studio
 from footfall.errors import FootfallError
 
 __all__ = [
@@ -38,6 +39,7 @@ __all__ = [
     "retarget",
     "robot",
     "robot_model",
+    "studio",
     "sync",
 ]
 
@@ -73,6 +75,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         robot,
         robot_model,
         demo,
+        studio,
     ):
         app.command(command)
     samples = App(name="samples", help="Motions that others have published.", version_flags=[])

@@ -9,16 +9,23 @@ from cyclopts import Parameter
 
 from footfall.cli.demo_scenario import folder_scenario, sample_scenario
 from footfall.cli.lanes import performance_timeline
-from footfall.cli.measuring import Comparison, compare, performance_trace, report_json
+from footfall.cli.measuring import Comparison, compare, performance_trace, report_json, report_of
 from footfall.cli.outputs import save_motion, write_json
 from footfall.cli.staging import starts_text
 from footfall.errors import FileFormatError
 from footfall.io import write_atomically
 from footfall.report import text_table
-from footfall.scenario.performance import Performance, played_supports, support_text
-from footfall.view import DemoPage, foot_traces_svg, timeline_svg, write_demo_page
+from footfall.scenario.cue_sheet import Scenario
+from footfall.scenario.performance import (
+    Performance,
+    load_motions,
+    perform,
+    played_supports,
+    support_text,
+)
+from footfall.view import DemoPage, demo_page_html, foot_traces_svg, timeline_svg, write_demo_page
 
-__all__ = ["demo"]
+__all__ = ["demo", "take_page"]
 
 TAKES = (("without", "cross-fade", "Plain cross-fade"), ("with", "footfall", "footfall"))
 """Name of the file, method, and title of each take of the page."""
@@ -74,6 +81,28 @@ def _write(comparison: Comparison, folder: Path) -> None:
         reports=comparison.reports,
     )
     write_demo_page(folder / "index.html", page)
+
+
+def take_page(scenario: Scenario) -> str:
+    """Return a page that plays a scenario without a network, beside what a cross-fade makes of it.
+
+    Raises:
+        ScenarioError: If it cannot be played.
+    """
+    motions = load_motions(scenario)
+    performances = {
+        "cross-fade": perform(scenario, synchronized=False, motions=motions),
+        "footfall": perform(scenario, motions=motions),
+    }
+    page = DemoPage(
+        title=scenario.path.stem,
+        introduction=INTRODUCTION,
+        takes=tuple((title, performance_trace(performances[method])) for _, method, title in TAKES),
+        skeleton=performances["footfall"].recording.skeleton,
+        timeline=performance_timeline(performances["footfall"]),
+        reports={name: report_of(one) for name, one in performances.items()},
+    )
+    return demo_page_html(page)
 
 
 def _write_take(performance: Performance, path: Path) -> None:

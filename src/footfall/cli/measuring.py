@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from footfall.arrays import Floats
+from footfall.arrays import Floats, Positions
 from footfall.detection import detect_contacts
 from footfall.motion import with_soles
 from footfall.report import (
@@ -113,7 +113,7 @@ def performance_trace(performance: Performance) -> Trace:
     shares = np.concatenate([recording.shares, resting], axis=1)
     shares /= shares.sum(axis=1, keepdims=True)
     return Trace(
-        positions=recording.world_positions,
+        positions=_over_first_ground(performance),
         rotations=recording.world_rotations,
         anatomy=performance.anatomy,
         fps=recording.fps,
@@ -123,6 +123,13 @@ def performance_trace(performance: Performance) -> Trace:
         rates=_mean_rates(recording.rates, recording.shares),
         ground=performance.ground,
     )
+
+
+def _over_first_ground(performance: Performance) -> Positions:
+    """Return the joints as seen from the ground, which may have risen: it stays where it was."""
+    positions = performance.recording.world_positions.copy()
+    positions[..., 1] -= performance.lifts[:, np.newaxis]
+    return positions
 
 
 def _mean_rates(rates: Floats, shares: Floats) -> Floats:

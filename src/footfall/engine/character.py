@@ -9,13 +9,16 @@ from typing import Any
 
 from footfall.adaptation import AnyGround
 from footfall.engine.crowd import Crowd
+from footfall.engine.inspection import ActionState, action_states, present_schedule
 from footfall.engine.library import MotionLibrary
 from footfall.engine.refusals import Late
+from footfall.engine.showing import show_character
 from footfall.engine.state import EMPTY, WAITING, Frame
 from footfall.errors import ArgumentError
 from footfall.motion import Clip
 from footfall.skeleton import Skeleton
 from footfall.support import Support, SupportSequence
+from footfall.sync.schedule import Schedule
 from footfall.sync.tables import Planner
 
 __all__ = ["Character", "Impossible", "Started", "Waiting"]
@@ -160,6 +163,10 @@ class Character:
         """Put the character somewhere: x, z [m] and heading [rad], 0 facing +z."""
         self.crowd.place((x, z), heading)
 
+    def raise_ground(self, height: float) -> None:
+        """Put the level ground at another height [m]; the character is carried along."""
+        self.crowd.raise_ground(height)
+
     def is_waiting(self, name: str) -> bool:
         """Whether a start of this action still waits."""
         action = self.library.index(name)
@@ -171,6 +178,30 @@ class Character:
         action = self.library.index(name)
         me = self.crowd.characters[0]
         return bool(((me["status"] != EMPTY) & (me["action"] == action)).any())
+
+    def state(self, name: str) -> ActionState:
+        """Return what an action does: its weights, its phase, why it waits.
+
+        Raises:
+            UnknownNameError: If there is no action of this name.
+        """
+        return action_states(self.crowd)[self.library.index(name)]
+
+    @property
+    def schedule(self) -> Schedule:
+        """The slots that are decided: a copy that prints, also in a notebook."""
+        return present_schedule(self.crowd)
+
+    def show(self) -> object:
+        """Show the character live, in a browser or in a notebook.
+
+        Returns:
+            What the viewer gives back; the studio's shows itself in a notebook.
+
+        Raises:
+            MissingViewerError: If no viewer is installed.
+        """
+        return show_character(self)
 
     def advance(self, dt: float) -> Frame:
         """Let time pass.

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from footfall.adaptation import AnyGround, Plane, pack_ground
+from footfall.adaptation import AnyGround, Plane
 from footfall.arrays import Positions, Rotations, Supports
 from footfall.engine.commands import NO_SEAT, start_row, stop_row
 from footfall.engine.library import MotionLibrary
@@ -17,21 +17,20 @@ from footfall.engine.pipeline import advance_rows
 from footfall.engine.priorities import parse_priority
 from footfall.engine.record import SEATS
 from footfall.engine.refusals import LATE, Late, check_patience, explain_wait
-from footfall.engine.rows import Rows, check_rows, place_characters
-from footfall.engine.state import (
-    EMPTY,
-    new_characters,
-    new_workspace,
-)
+from footfall.engine.rows import Rows, check_rows
+from footfall.engine.shelf import Shelf
+from footfall.engine.standing import Standing
+from footfall.engine.state import EMPTY, new_characters, new_workspace
 from footfall.errors import ArgumentError, SkeletonError
 from footfall.skeleton import Skeleton
 from footfall.sync.refusal import Refusal
-from footfall.sync.tables import Planner, rules_of
+from footfall.sync.search_memory import SearchMemories
+from footfall.sync.tables import Planner, Rules, rules_of
 
 __all__ = ["Crowd"]
 
 
-class Crowd:
+class Crowd(Standing):
     """Characters that share a motion library and a body. One character is a crowd of one.
 
     Same commands, same bits: nothing here reads a clock or rolls dice.
@@ -90,16 +89,6 @@ class Crowd:
         self.ground = Plane() if ground is None else ground
         self._world_positions = np.zeros((size, self.skeleton.count, 3))
         self._world_rotations = np.zeros((size, self.skeleton.count, 4))
-
-    @property
-    def ground(self) -> AnyGround:
-        """What they stand on; it may be exchanged at any moment, while they walk."""
-        return self._ground
-
-    @ground.setter
-    def ground(self, ground: AnyGround) -> None:
-        self._ground = ground
-        self._packed_ground = pack_ground(ground)
 
     def _refresh(self) -> None:
         if len(self.library.actions) != self._known:
@@ -201,21 +190,6 @@ class Crowd:
             self._characters["priority"][row, seats] = values[0]
             self._characters["unsettled"][row] = True
 
-    def place(
-        self, position: npt.ArrayLike, heading: npt.ArrayLike = 0.0, rows: Rows = None
-    ) -> None:
-        """Put characters somewhere; footprints are forgotten.
-
-        Args:
-            position: x and z [m], shape (2,) or (rows, 2).
-            heading: Yaw [rad], 0 facing +z, positive from z towards x.
-            rows: Which characters: row numbers, a mask, or None for all.
-
-        Raises:
-            ArgumentError: If a row does not exist or a number is not finite.
-        """
-        place_characters(self._characters, check_rows(rows, self.size), position, heading)
-
     def advance(self, dt: float) -> None:
         """Let time pass for everybody.
 
@@ -239,6 +213,22 @@ class Crowd:
             self._world_positions,
             float(dt),
         )
+
+    @property
+    def shelf(self) -> Shelf:
+        """The library as the kernels take it."""
+        self._refresh()
+        return self._shelf
+
+    @property
+    def search(self) -> SearchMemories:
+        """Working memory of the planner."""
+        return self._work.search
+
+    @property
+    def rules(self) -> Rules:
+        """The rules of the planner."""
+        return self._rules
 
     @property
     def characters(self) -> npt.NDArray[Any]:

@@ -23,6 +23,9 @@ Priority = float | Mapping[str, float]
 LONGEST = 3600.0
 """Greatest duration of a scenario [s]."""
 
+HIGHEST = 10.0
+"""How far the ground may rise or sink [m]."""
+
 FASTEST = 1000.0
 """Greatest frame rate."""
 
@@ -69,14 +72,17 @@ class Cue:
     at: float
     """When [s]."""
 
-    kind: Literal["start", "stop", "priority"]
+    kind: Literal["start", "stop", "priority", "ground"]
     """What is commanded."""
 
-    action: str
-    """The name of the action it is about."""
+    action: str = ""
+    """The name of the action it is about; empty where it is about the ground."""
 
     priority: Priority | None = None
     """The new priority, where it is one."""
+
+    ground: float = 0.0
+    """How high the ground is to be over where it was at first, where it is about it [m]."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -192,13 +198,13 @@ def _action(fields: Fields) -> ActionEntry:
 
 
 def _cues(fields: Fields, names: list[str], duration: float) -> list[Cue]:
-    fields.know("at", "start", "stop", "priority")
+    fields.know("at", "start", "stop", "priority", "ground")
     at = fields.number("at", least=0.0, most=duration, default=None)
-    commands = [key for key in ("start", "stop", "priority") if fields.has(key)]
+    commands = [key for key in ("start", "stop", "priority", "ground") if fields.has(key)]
     if len(commands) != 1:
         told = " and ".join(commands) or "no command"
         raise ScenarioError(
-            f"{fields.where} has {told}; it must have one of start, stop and priority"
+            f"{fields.where} has {told}; it must have one of start, stop, priority and ground"
         )
     if commands[0] == "priority":
         changes = fields.table("priority")
@@ -206,6 +212,9 @@ def _cues(fields: Fields, names: list[str], duration: float) -> list[Cue]:
             Cue(at, "priority", changes.one_of(name, names), changes.priority(name, 1.0))
             for name in changes.names
         ]
+    if commands[0] == "ground":
+        height = fields.number("ground", least=-HIGHEST, most=HIGHEST, default=None)
+        return [Cue(at, "ground", ground=height)]
     kind = cast(Literal["start", "stop"], commands[0])
     action = fields.choice(kind, tuple(names))
     return [Cue(at, kind, action)]

@@ -16,6 +16,7 @@ from dataclasses import dataclass
 from footfall.arrays import Indices, Supports
 from footfall.support import Support
 from footfall.sync.columns import has_ended, own_phase, support_of
+from footfall.sync.schedule_html import schedule_html
 from footfall.sync.tables import Rules, SequenceTable
 from footfall.sync.window import Window
 
@@ -154,6 +155,10 @@ class Schedule:
             f"{''.join(f'{cell:{CELL}}' for cell in cells)}{remark}".rstrip()
             for name, rank, cells, remark in lines
         )
+
+    def _repr_html_(self) -> str:
+        """Return the table in colors, for notebooks."""
+        return schedule_html(self, self._slot_labels())
 
     def _slot_labels(self) -> tuple[str, ...]:
         if self.first_slot is None:

@@ -2,7 +2,7 @@
 
 from footfall.view.foot_traces import foot_traces_svg
 from footfall.view.lanes import ActionLane, CueMark, LanePhase, Timeline
-from footfall.view.page import DemoPage, write_demo_page
+from footfall.view.page import DemoPage, demo_page_html, write_demo_page
 from footfall.view.strip import strip_svg
 from footfall.view.timeline import timeline_svg
 
@@ -12,6 +12,7 @@ __all__ = [
     "DemoPage",
     "LanePhase",
     "Timeline",
+    "demo_page_html",
     "foot_traces_svg",
     "strip_svg",
     "timeline_svg",

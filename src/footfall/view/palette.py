@@ -1,17 +1,10 @@
-"""One color for one meaning, the same in every picture and readable to the color-blind.
-
-Hues of Okabe and Ito's set, evened in lightness so that they hold on light and dark paper.
-"""
+"""One color for one meaning, the same in every picture and readable to the color-blind."""
 
 from __future__ import annotations
 
+from footfall.support.palette import SUPPORT_COLORS, SUPPORT_NAMES
+
 __all__ = ["BODY", "FOOT_COLORS", "SLIP", "SUPPORT_COLORS", "SUPPORT_NAMES", "readable_symbol"]
-
-SUPPORT_COLORS = {"R": "#e6912a", "L": "#3b8fd0", "D": "#35a47a", "-": "#a4adb8"}
-"""Fill of each symbol of a support."""
-
-SUPPORT_NAMES = {"R": "right foot", "L": "left foot", "D": "both feet", "-": "flight"}
-"""What each symbol means, for legends."""
 
 FOOT_COLORS = (SUPPORT_COLORS["L"], SUPPORT_COLORS["R"])
 """Left and right foot."""

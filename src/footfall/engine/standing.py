@@ -1,0 +1,58 @@
+"""What a crowd stands on, and where."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy.typing as npt
+
+from footfall.adaptation import AnyGround, Plane, pack_ground
+from footfall.adaptation.surfaces import Ground
+from footfall.engine.rows import Rows, check_rows, place_characters
+
+__all__ = ["Standing"]
+
+
+class Standing:
+    """The part of a crowd that knows its ground and its places."""
+
+    size: int
+    _characters: npt.NDArray[Any]
+    _ground: AnyGround
+    _packed_ground: Ground
+
+    @property
+    def ground(self) -> AnyGround:
+        """What they stand on; it may be exchanged at any moment, while they walk."""
+        return self._ground
+
+    @ground.setter
+    def ground(self, ground: AnyGround) -> None:
+        self._ground = ground
+        self._packed_ground = pack_ground(ground)
+
+    def raise_ground(self, height: float) -> None:
+        """Put level ground at another height [m]; who stands on level ground is carried along.
+
+        Raises:
+            ArgumentError: If the height is not finite.
+        """
+        ground = Plane(height)
+        if isinstance(self._ground, Plane):
+            self._characters["level"][:, 0] += height - self._ground.height
+        self.ground = ground
+
+    def place(
+        self, position: npt.ArrayLike, heading: npt.ArrayLike = 0.0, rows: Rows = None
+    ) -> None:
+        """Put characters somewhere; footprints are forgotten.
+
+        Args:
+            position: x and z [m], shape (2,) or (rows, 2).
+            heading: Yaw [rad], 0 facing +z, positive from z towards x.
+            rows: Which characters: row numbers, a mask, or None for all.
+
+        Raises:
+            ArgumentError: If a row does not exist or a number is not finite.
+        """
+        place_characters(self._characters, check_rows(rows, self.size), position, heading)

@@ -1,0 +1,101 @@
+"""The cues of a scenario given at their very times, and every frame kept."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from footfall.engine import Character, Waiting
+from footfall.engine.recording import Recorder, Recording
+from footfall.scenario.cue_sheet import Cue, Scenario
+from footfall.scenario.ground_lift import GroundLift
+
+__all__ = ["Play", "StartCue"]
+
+_SAME = 1e-9
+"""Two times this near are the same [s]."""
+
+
+@dataclass(frozen=True, slots=True)
+class StartCue:
+    """A start command and what became of it."""
+
+    action: str
+    """What was to start."""
+
+    commanded: float
+    """When [s]."""
+
+    actual: float | None
+    """When it did, to the next frame if it waited [s]; None if never."""
+
+    reason: str = ""
+    """Why it waited; empty if it did not."""
+
+    def to_json(self) -> dict[str, object]:
+        """Return the fields by name for a report."""
+        return {
+            "action": self.action,
+            "commanded": round(self.commanded, 6),
+            "actual": None if self.actual is None else round(self.actual, 6),
+            "reason": self.reason,
+        }
+
+
+class Play:
+    """A character, its cues, and what has become of them."""
+
+    def __init__(self, character: Character, scenario: Scenario, ground: float) -> None:
+        self.character = character
+        self.ground, self.lift = ground, GroundLift()
+        self.lifts: list[float] = []
+        self.scenario = scenario
+        self.clock = 0.0
+        self.starts: list[StartCue] = []
+        self.waiting: dict[str, int] = {}
+
+    def play(self) -> tuple[Recording, tuple[StartCue, ...]]:
+        """Play every cue and frame."""
+        fps = self.scenario.fps
+        recorder = Recorder(self.character, fps)
+        cues = list(self.scenario.cues)
+        for frame in range(int(self.scenario.duration * fps + 1e-6) + 1):
+            time = frame / fps
+            # A cue moves the ground from the next frame on, as it does where a hand gives it.
+            if frame > 0 and self.lift.advance(1.0 / fps):
+                self.character.raise_ground(self.ground + self.lift.height)
+            while cues and cues[0].at <= time + _SAME:
+                cue = cues.pop(0)
+                self._advance(cue.at)
+                self._command(cue)
+            self._advance(time)
+            self.lifts.append(self.lift.height)
+            if frame == 0:
+                self.character.advance(0.0)
+            recorder.keep()
+        return recorder.finish(), tuple(self.starts)
+
+    def _advance(self, time: float) -> None:
+        if time - self.clock > _SAME:
+            self.character.advance(time - self.clock)
+            self.clock = time
+        for action in [name for name in self.waiting if not self.character.is_waiting(name)]:
+            index = self.waiting.pop(action)
+            start = self.starts[index]
+            self.starts[index] = StartCue(action, start.commanded, self.clock, start.reason)
+
+    def _command(self, cue: Cue) -> None:
+        if cue.kind == "stop":
+            self.waiting.pop(cue.action, None)
+            self.character.stop(cue.action)
+        elif cue.kind == "ground":
+            self.lift.asked = cue.ground
+        elif cue.kind == "priority":
+            assert cue.priority is not None
+            self.character.set_priority(cue.action, cue.priority)
+        else:
+            answer = self.character.start(cue.action)
+            if isinstance(answer, Waiting):
+                self.waiting[cue.action] = len(self.starts)
+                self.starts.append(StartCue(cue.action, cue.at, None, answer.reason))
+            else:
+                self.starts.append(StartCue(cue.action, cue.at, answer.at))

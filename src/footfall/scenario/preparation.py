@@ -1,0 +1,73 @@
+"""A character as a scenario begins with it: its actions, its floor, its place."""
+
+from __future__ import annotations
+
+from footfall.adaptation import Plane
+from footfall.engine import Character, MotionLibrary
+from footfall.motion import extract_root_path
+from footfall.scenario.cue_sheet import ActionEntry, Scenario
+from footfall.scenario.motions import Motion, body_of
+from footfall.skeleton import Skeleton, find_anatomy
+from footfall.sync.tables import Planner
+
+__all__ = ["add_action", "prepare_character"]
+
+
+def prepare_character(
+    scenario: Scenario,
+    motions: tuple[Motion, ...],
+    leading: int,
+    *,
+    body: Skeleton | None = None,
+    planner: Planner | None = None,
+    synchronized: bool = True,
+    footprints: bool = True,
+) -> tuple[Character, float]:
+    """Return a character as `perform` begins with it, and the height of its ground [m].
+
+    Args:
+        scenario: Its actions and body.
+        motions: As `load_motions` returns them.
+        leading: The action on whose floor, and where whose motion begins, it stands.
+        body: Instead of the scenario's.
+        planner: Instead of the scenario's.
+        synchronized: Whether supports are synchronized at all.
+        footprints: Whether planted feet are held where they came down.
+    """
+    ground = _floor(motions[leading])
+    character = Character(
+        body or body_of(scenario) or motions[0].clip.skeleton,
+        ground=Plane(ground),
+        planner=planner or scenario.planner,
+        synchronized=synchronized,
+        footprints=footprints,
+    )
+    for entry, motion in zip(scenario.actions, motions, strict=True):
+        add_action(character, entry, motion)
+    _place(character, motions[leading])
+    return character, ground
+
+
+def add_action(character: Character, entry: ActionEntry, motion: Motion) -> None:
+    """Let a character know one more action of a scenario; errors as of `Character.add`."""
+    character.add(
+        entry.name,
+        motion.clip,
+        motion.supports,
+        priority=entry.priority,
+        fade_in=entry.fade_in,
+        fade_out=entry.fade_out,
+    )
+
+
+def _place(character: Character, motion: Motion) -> None:
+    path = extract_root_path(motion.clip, find_anatomy(motion.clip.skeleton))
+    (x, z), heading = path.positions[0], path.headings[0]
+    character.place(float(x), float(z), float(heading))
+
+
+def _floor(motion: Motion) -> float:
+    """Return how high the feet of a motion rest [m]."""
+    library = MotionLibrary()
+    library.add("floor", motion.clip, motion.supports)
+    return float(library.actions[0].packed.floor)

@@ -1,0 +1,233 @@
+"""What is seen in 3D: the ground, the live body, its ghost and footprints, a clip, a crowd."""
+
+from __future__ import annotations
+
+import contextlib
+import io
+from typing import Any
+
+import numpy as np
+import viser
+from viser.infra import WebsockClientConnection
+
+from footfall.arrays import Positions, Rotations
+from footfall.skeleton import Anatomy, Skeleton
+from footfall.studio.crowd_figures import CrowdFigures
+from footfall.studio.figure import Figure
+from footfall.studio.footprints import Footprints
+from footfall.studio.origins import is_own_origin
+
+__all__ = ["StudioScene"]
+
+SKY, GROUND, GRID = (238, 241, 245), (226, 230, 236), (176, 186, 198)
+
+QUIET = (
+    '<i id="footfall-stage"></i><style>.mantine-Paper-root:has(#footfall-stage),'
+    ".mantine-Notifications-root{display:none!important}</style>"
+)
+"""Takes the library's own panel and notes off the scene: all controls are on the page."""
+
+FOLLOW = 2.5
+"""How fast the view follows the body [1/s]."""
+
+CAMERAS = {
+    "stage": ((3.1, 1.45, 2.6), (0.0, 0.86, 0.0)),
+    "supports": ((2.6, 1.2, 1.9), (0.0, 0.8, 0.0)),
+    "crowd": ((15.0, 8.5, 17.0), (0.0, 0.0, 0.0)),
+}
+"""Where each view is looked from, and what at [m]."""
+
+GHOST_ASIDE = -1.1
+"""How far beside the body its ghost is drawn, beyond it as seen by the camera [m]."""
+
+
+class StudioScene:
+    """The scene of all tabs.
+
+    Bodies walk away from where they began, so the world hangs under one node that is moved
+    against them: the camera stays where its user put it.
+    """
+
+    def __init__(self, host: str, port: int, allowed: tuple[str, ...]) -> None:
+        """Serve an empty scene.
+
+        Args:
+            host: Address to bind to.
+            port: The port, or the first free one after it; 0 for any.
+            allowed: Host names under which it may be reached.
+        """
+        # The library prints addresses in a form of its own; the studio prints its ports.
+        with contextlib.redirect_stdout(io.StringIO()):
+            self.server = viser.ViserServer(host=host, port=port, verbose=False)
+        _refuse_foreigners(self.server, allowed)
+        self.port = self.server.get_port()
+        self._scene = self.server.scene
+        self._prepare()
+        self._world = self._scene.add_frame("/world", show_axes=False)
+        self._grid = self._scene.add_grid(
+            "/world/ground",
+            plane="xz",
+            infinite_grid=True,
+            cell_size=0.25,
+            section_size=1.0,
+            cell_color=(205, 212, 221),
+            section_color=GRID,
+            cell_thickness=0.6,
+            section_thickness=1.0,
+            fade_distance=26.0,
+            fade_strength=1.6,
+            shadow_opacity=0.22,
+            plane_color=GROUND,
+            plane_opacity=1.0,
+        )
+        self._follows = np.zeros(3)
+        self._prints = Footprints(self._scene, "/world/prints")
+        self._figure: Figure | None = None
+        self._ghost: Figure | None = None
+        self._crowd: CrowdFigures | None = None
+
+    def _prepare(self) -> None:
+        scene, gui = self._scene, self.server.gui
+        scene.set_up_direction("+y")
+        scene.configure_environment_map(hdri=None)
+        scene.configure_default_lights(enabled=False)
+        scene.world_axes.visible = False
+        scene.add_light_hemisphere(
+            "/sky", sky_color=(255, 255, 255), ground_color=(150, 156, 168), intensity=1.25
+        )
+        scene.add_light_directional(
+            "/sun",
+            color=(255, 246, 232),
+            intensity=2.0,
+            position=(-2.2, 4.0, 2.0),
+            cast_shadow=True,
+        )
+        sky = np.linspace((214, 223, 234), SKY, 64).astype(np.uint8)[:, np.newaxis]
+        scene.set_background_image(np.repeat(sky, 8, axis=1))
+        gui.configure_theme(show_logo=False, show_share_button=False)
+        gui.add_html(QUIET)
+        self.look("stage")
+        self.server.initial_camera.fov = 0.72
+
+    def look(self, view: str) -> None:
+        """Put the camera of every tab where a view is seen best."""
+        position, at = CAMERAS[view]
+        self.server.initial_camera.position = position
+        self.server.initial_camera.look_at = at
+        for client in self.server.get_clients().values():
+            client.camera.position = position
+            client.camera.look_at = at
+        far = 70.0 if view == "crowd" else 30.0
+        self._scene.configure_fog(0.3 * far, far, color=SKY)
+
+    def show_body(self, skeleton: Skeleton, anatomy: Anatomy) -> None:
+        """Replace the body and its ghost."""
+        for old in (self._figure, self._ghost):
+            if old is not None:
+                old.remove()
+        self._figure = Figure(self._scene, "/world/body", skeleton, anatomy)
+        self._ghost = Figure(self._scene, "/world/ghost", skeleton, anatomy, ghostly=True)
+        self._prints.clear()
+
+    def show_crowd(self, skeleton: Skeleton, anatomy: Anatomy, size: int) -> None:
+        """Replace the crowd."""
+        if self._crowd is not None:
+            self._crowd.remove()
+        self._crowd = CrowdFigures(self._scene, "/world/crowd", skeleton, anatomy, size)
+
+    def pose_body(
+        self, positions: Positions, rotations: Rotations, planted: tuple[bool, bool]
+    ) -> None:
+        """Move the body; see `Figure.pose`."""
+        if self._figure is not None:
+            self._figure.pose(positions, rotations)
+            self._figure.plant(*planted)
+
+    def pose_ghost(self, positions: Positions, rotations: Rotations) -> None:
+        """Move the ghost, drawn beside where it is."""
+        if self._ghost is not None:
+            self._ghost.pose(positions + np.array([GHOST_ASIDE, 0.0, 0.0]), rotations)
+
+    def pose_crowd(self, positions: Positions, rotations: Rotations, shifts: Positions) -> None:
+        """Move the crowd; see `CrowdFigures.pose`."""
+        if self._crowd is not None:
+            self._crowd.pose(positions, rotations, shifts)
+
+    @property
+    def crowd(self) -> CrowdFigures | None:
+        """The crowd that is drawn."""
+        return self._crowd
+
+    def print_feet(self, points: Positions, planted: tuple[bool, bool], ground: float) -> None:
+        """Leave footprints; see `Footprints.update`."""
+        self._prints.update(points, planted, ground)
+
+    def clear_prints(self) -> None:
+        """Clean the ground."""
+        self._prints.clear()
+
+    def show_only(self, *, ghost: bool, prints: bool, crowd: bool) -> None:
+        """Say what is seen beside the ground; the body is, where no crowd is."""
+        for figure, seen in ((self._figure, not crowd), (self._ghost, ghost and not crowd)):
+            if figure is not None:
+                figure.root.visible = seen
+        self._prints.show(prints and not crowd)
+        if self._crowd is not None:
+            self._crowd.show(crowd)
+
+    def follow(self, place: Positions, ground: float, dt: float, *, at_once: bool = False) -> None:
+        """Bring a place [m] to the middle of the picture, softly, and the ground to its height."""
+        wanted = np.array([place[0], 0.0, place[2]])
+        share = 1.0 if at_once else 1.0 - float(np.exp(-FOLLOW * dt))
+        if float(np.abs(wanted - self._follows).max()) > 4.0:
+            share = 1.0
+        self._follows += share * (wanted - self._follows)
+        self._world.position = -self._follows
+        # The plane is finite: it moves along, by whole squares so that the lines stay.
+        grid = np.round(self._follows)
+        wanted_grid = np.array([grid[0], ground, grid[2]])
+        if float(np.abs(self._grid.position - wanted_grid).max()) > 1e-6:
+            self._grid.position = wanted_grid
+
+    def atomic(self) -> contextlib.AbstractContextManager[None]:
+        """Let all that is moved inside be seen at once."""
+        return self.server.atomic()
+
+    def picture(self, width: int, height: int) -> np.ndarray[tuple[int, ...], np.dtype[np.uint8]]:
+        """Return what the latest tab sees, shape (height, width, 3).
+
+        Raises:
+            RuntimeError: If no tab is open.
+        """
+        clients = self.server.get_clients()
+        if not clients:
+            raise RuntimeError("no tab is open to draw the picture")
+        return clients[max(clients)].get_render(height, width, transport_format="png")
+
+    def stop(self) -> None:
+        """Serve no more."""
+        with contextlib.redirect_stdout(io.StringIO()):
+            self.server.stop()
+
+
+def _refuse_foreigners(server: viser.ViserServer, allowed: tuple[str, ...]) -> None:
+    """Close the connections of foreign pages before they hear or say anything.
+
+    The library checks no origin, and offers no place for it: its connections are looked up where
+    it keeps them.
+    """
+    socket_server = server._websock_server  # pyright: ignore[reportPrivateUsage]
+    connections = socket_server._live_connections  # pyright: ignore[reportPrivateUsage]
+
+    async def check(connection: WebsockClientConnection) -> None:
+        socket = connections[connection.client_id]
+        request = socket.request
+        origin = None if request is None else request.headers.get("Origin")
+        host = None if request is None else request.headers.get("Host")
+        if not is_own_origin(origin, host, allowed):
+            await socket.close(1008, "foreign origin")
+
+    callbacks: list[Any] = socket_server._client_connect_cb  # pyright: ignore
+    callbacks.insert(0, check)
+    # A page that connected before the check was there connects again, and is checked.
+    socket_server.disconnect_all_clients()

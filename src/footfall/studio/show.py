@@ -1,0 +1,51 @@
+"""A character of a program or a notebook, steered in a studio of its own."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from footfall.engine import Character
+from footfall.errors import ArgumentError
+from footfall.scenario.cue_sheet import ActionEntry
+from footfall.scenario.motions import Motion
+from footfall.studio.opening import open_studio
+
+if TYPE_CHECKING:
+    from footfall.studio.launch import Studio
+
+__all__ = ["show_character"]
+
+
+def show_character(character: Character) -> Studio:
+    """Open a studio in which the motions and the body of a character are steered.
+
+    What is steered performs beside the character, which itself stays as it is. In a notebook
+    the studio that is returned shows itself.
+
+    Raises:
+        MissingViewerError: If the extra is not installed.
+        ArgumentError: If the character has no action yet.
+    """
+    from footfall.studio.motion_list import LoadedMotion
+    from footfall.studio.stage import PARTS
+
+    if not character.library.actions:
+        raise ArgumentError("the character has no action yet; add one first")
+    motions = [
+        LoadedMotion(
+            ActionEntry(
+                action.name,
+                f"{action.name}.npz",
+                dict(zip(PARTS, action.priority.tolist(), strict=True)),
+                action.fade_in,
+                action.fade_out,
+            ),
+            Motion(action.clip, action.supports),
+        )
+        for action in character.library.actions
+    ]
+    studio = open_studio(port=0, motions=motions)
+    with studio.session.lock:
+        studio.session.stage.body = character.skeleton
+        studio.session.restart()
+    return studio

@@ -1,0 +1,238 @@
+"""The live character: what was commanded, what has become of it, and the ghost beside it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+
+from footfall.scenario.cue_sheet import ActionEntry, Cue, Scenario
+from footfall.scenario.ground_lift import GroundLift
+from footfall.scenario.motions import Motion
+from footfall.skeleton import Skeleton
+from footfall.studio.motion_list import LoadedMotion, MotionList
+from footfall.studio.performer import Performer
+from footfall.studio.take import Take
+
+__all__ = ["PARTS", "Card", "Stage", "by_part"]
+
+PARTS = ("legs", "trunk", "head", "left_arm", "right_arm")
+"""Body parts with a priority of their own, in the order of the engine's."""
+
+
+@dataclass(eq=False)
+class Card:
+    """One motion as its card on the page has it."""
+
+    name: str
+    """Of the motion."""
+
+    action: str
+    """Of the action in the scenario that the next start means."""
+
+    priority: dict[str, float]
+    """By body part."""
+
+    fades: tuple[float, float]
+    """How long a start and a stop take [s]."""
+
+    reason: str = field(default="")
+    """Why its start waits."""
+
+
+class Stage:
+    """One character that is steered by hand, over and over from the beginning of a take."""
+
+    def __init__(self, motions: MotionList) -> None:
+        """Prepare a take with all motions of the list that mix."""
+        self._list = motions
+        self.body: Skeleton | None = None
+        self.lift = GroundLift()
+        self.cards: list[Card] = []
+        self.restart()
+
+    def restart(self) -> None:
+        """Begin a new take: the character stands where the first motion begins."""
+        self._entries = [one.entry for one in self._list.family]
+        self._motions = [one.motion for one in self._list.family]
+        known = {card.name: card for card in self.cards}
+        self.cards = [self._card(one, known.get(one.name)) for one in self._list.family]
+        self._entries = [
+            replace(entry, fade_in=card.fades[0], fade_out=card.fades[1])
+            for entry, card in zip(self._entries, self.cards, strict=True)
+        ]
+        self.take = Take(replace(self._list.sheet(), actions=tuple(self._entries)))
+        self.begun = False
+        self.performer: Performer | None = None
+        self.ghost: Performer | None = None
+        if self._motions:
+            self._prepare(0)
+            for one in self.pair():
+                one.stand()
+
+    def _card(self, loaded: LoadedMotion, old: Card | None) -> Card:
+        if old is not None:
+            return Card(loaded.name, loaded.name, old.priority, old.fades)
+        entry = loaded.entry
+        return Card(
+            loaded.name, loaded.name, by_part(entry.priority), (entry.fade_in, entry.fade_out)
+        )
+
+    def _begin(self, leading: int) -> None:
+        """Begin the take: a ground that was raised before rises again, as a scenario can say it."""
+        self._prepare(leading)
+        self.begun = True
+        self.lift = GroundLift(asked=self.lift.asked)
+        if self.lift.asked:
+            self.take = self.take.with_cue(Cue(0.0, "ground", ground=self.lift.asked))
+
+    def _prepare(self, leading: int) -> None:
+        motions = tuple(self._motions)
+        scenario = self.take.scenario
+        self.performer = Performer(scenario, motions, leading, body=self.body)
+        self.ghost = Performer(scenario, motions, leading, body=self.body, synchronized=False)
+
+    def add(self, loaded: LoadedMotion) -> None:
+        """Let one more motion be performed, while the take goes on."""
+        self._append(loaded.entry, loaded.motion)
+        self.cards.append(self._card(loaded, None))
+
+    def card(self, name: str) -> Card | None:
+        """Return the card of a motion, or None."""
+        return next((card for card in self.cards if card.name == name), None)
+
+    def start(self, card: Card) -> None:
+        """Start an action, or let it wait; the first start begins the take."""
+        if not self.begun:
+            self._begin(self._index(card.action))
+        performer, ghost = self.pair()
+        card.reason = performer.start(card.action)
+        ghost.start(card.action)
+        self._log("start", card)
+        if card.priority != by_part(self._entry(card.action).priority):
+            self._tell_priority(card)
+
+    def stop(self, card: Card) -> None:
+        """Let an action fade out, or cancel its wait."""
+        if not self.begun:
+            return
+        performer, ghost = self.pair()
+        performer.stop(card.action)
+        ghost.stop(card.action)
+        card.reason = ""
+        self._log("stop", card)
+
+    def toggle(self, card: Card) -> None:
+        """Start an action that does not play, stop one that does."""
+        states = {} if self.performer is None else self.activity()
+        if states.get(card.name, "idle") in ("idle", "fading out"):
+            self.start(card)
+        else:
+            self.stop(card)
+
+    def set_priority(self, card: Card, priority: dict[str, float]) -> None:
+        """Change the priority of an action, now and at every later start."""
+        card.priority = priority
+        if self.begun and self.pair()[0].is_active(card.action):
+            self._tell_priority(card)
+
+    def set_fades(self, card: Card, fade_in: float, fade_out: float) -> None:
+        """Change how long a start and a stop take, from the next start on."""
+        card.fades = (fade_in, fade_out)
+        if not self.begun:
+            self.restart()
+            return
+        # A scenario says fades once an action: another fade is another action of this motion.
+        index = self._index(card.action)
+        wanted = {"fade_in": fade_in, "fade_out": fade_out}
+        for entry in self._entries:
+            same = entry.motion == self._entries[index].motion
+            if same and (entry.fade_in, entry.fade_out) == card.fades:
+                card.action = entry.name
+                return
+        count = sum(1 for entry in self._entries if entry.motion == self._entries[index].motion)
+        entry = replace(self._entries[index], name=f"{card.name} fade {count + 1}", **wanted)
+        self._append(entry, self._motions[index])
+        card.action = entry.name
+
+    def lift_to(self, height: float) -> None:
+        """Let the ground rise or sink to so far above where the first motion had it [m]."""
+        self.lift.asked = height
+        if self.begun:
+            at = self.pair()[0].clock
+            self.take = self.take.with_cue(Cue(at, "ground", ground=height))
+
+    def advance(self) -> None:
+        """Let one frame pass, once the take has begun; the ground moves towards its height."""
+        if self.performer is None or self.ghost is None:
+            return
+        self.lift.advance(1.0 / self.take.scenario.fps)
+        for one in (self.performer, self.ghost):
+            if self.begun:
+                one.advance(self.lift.height)
+            elif one.lift != self.lift.height:
+                one.raise_ground(self.lift.height)
+                one.stand()
+
+    def activity(self) -> dict[str, str]:
+        """Return what each motion does, by name."""
+        assert self.performer is not None
+        states = self.performer.states()
+        return {card.name: states[self._index(card.action)].activity for card in self.cards}
+
+    def action_index(self, card: Card) -> int:
+        """Return which action of the scenario a card now means."""
+        return self._index(card.action)
+
+    def motion_name(self, action: int) -> str:
+        """Return the motion of an action of the scenario."""
+        motion = self._entries[action].motion
+        return next(one.name for one in self._list.family if one.entry.motion == motion)
+
+    def scenario(self) -> Scenario:
+        """Return the take so far as a scenario."""
+        clock = 0.0 if self.performer is None else self.performer.clock
+        return self.take.until(clock)
+
+    def _append(self, entry: ActionEntry, motion: Motion) -> None:
+        self._entries.append(entry)
+        self._motions.append(motion)
+        for one in self.pair():
+            one.add(entry, motion)
+        self.take = Take(replace(self.take.scenario, actions=tuple(self._entries)))
+
+    def pair(self) -> tuple[Performer, Performer]:
+        """Return the character and its ghost; there must be a motion."""
+        assert self.performer is not None
+        assert self.ghost is not None
+        return self.performer, self.ghost
+
+    def _index(self, action: str) -> int:
+        return next(i for i, entry in enumerate(self._entries) if entry.name == action)
+
+    def _entry(self, action: str) -> ActionEntry:
+        return self._entries[self._index(action)]
+
+    def _tell_priority(self, card: Card) -> None:
+        for one in self.pair():
+            one.set_priority(card.action, card.priority)
+        at = self.pair()[0].clock
+        self.take = self.take.with_cue(Cue(at, "priority", card.action, dict(card.priority)))
+
+    def _log(self, kind: str, card: Card) -> None:
+        at = self.pair()[0].clock
+        cue = Cue(at, "start" if kind == "start" else "stop", card.action)
+        self.take = self.take.with_cue(cue)
+
+    @property
+    def motions(self) -> tuple[Motion, ...]:
+        """The motion of each action of the scenario."""
+        return tuple(self._motions)
+
+
+def by_part(priority: float | Mapping[str, float]) -> dict[str, float]:
+    """Return a priority as the sliders show it."""
+    if not isinstance(priority, Mapping):
+        return dict.fromkeys(PARTS, float(priority))
+    both = float(priority.get("arms", 0.0))
+    arms = {"left_arm": both, "right_arm": both}
+    return {part: float(priority.get(part, arms.get(part, 0.0))) for part in PARTS}

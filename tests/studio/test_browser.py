@@ -1,0 +1,210 @@
+"""The studio in a real browser: what a user does from loading to opening a saved take again."""
+
+from __future__ import annotations
+
+import statistics
+import time
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from tests.studio.browser import overflowing, overlapping, studio_in_browser, until
+
+from footfall.io import load_supports
+from footfall.scenario.cue_sheet import load_scenario
+from footfall.scenario.performance import perform
+
+SIZES = [(1280, 800), (1920, 1080)]
+
+
+def activity(page: Any, name: str) -> str:
+    return page.evaluate(
+        "(name) => studio.known.tick?.actions.find((each) => each.name === name)?.activity", name
+    )
+
+
+def look_at(page: Any, view: str) -> None:
+    """Change the view, and wait until the page has it."""
+    page.click(f"[data-show={view}]")
+    page.wait_for_selector(f"body[data-view={view}]", timeout=60_000)
+
+
+def edge(page: Any, foot: int, band: int, side: int) -> tuple[float, float]:
+    """Return where an edge of a band is in the window."""
+    x, y = page.evaluate(
+        """([foot, band, side]) => {
+          const at = studio.editor.layout();
+          const area = document.querySelector("#timeline canvas").getBoundingClientRect();
+          const lane = at.lanes[foot];
+          return [area.left + at.x(studio.known.edit.bands[foot][band][side]),
+            area.top + lane.top + lane.opinion + lane.tall / 2];
+        }""",
+        [foot, band, side],
+    )
+    return x, y
+
+
+def test_a_motion_is_started_and_stopped_by_its_number(tmp_path: Path) -> None:
+    with studio_in_browser(tmp_path, files=["sample:walk", "sample:run"]) as (studio, page):
+        page.keyboard.press("1")
+        until(lambda: activity(page, "walk") == "running", "the walk")
+        assert page.inner_text(".card .go") == "Stop"
+        assert studio.session.stage.begun
+        page.keyboard.press(" ")
+        until(lambda: page.evaluate("studio.known.state.paused"), "the pause")
+        frame = studio.session.stage.performer.frame
+        time.sleep(0.2)
+        assert studio.session.stage.performer.frame == frame
+        page.keyboard.press(" ")
+        page.keyboard.press("1")
+        until(lambda: activity(page, "walk") in ("fading out", "idle"), "the end of the walk")
+
+
+@pytest.mark.full
+def test_the_whole_story_of_a_user(tmp_path: Path) -> None:
+    with studio_in_browser(tmp_path, files=["sample:walk", "sample:hop-right", "sample:kick"]) as (
+        studio,
+        page,
+    ):
+        drag_an_edge_and_save(studio, page, tmp_path)
+        see_why_it_waits(page)
+        move_the_ground(studio, page)
+        record_and_open_again(studio, page, tmp_path)
+
+
+def drag_an_edge_and_save(studio: Any, page: Any, folder: Path) -> None:
+    look_at(page, "supports")
+    until(lambda: page.evaluate("Boolean(studio.known.edit)"), "the editor")
+    page.wait_for_timeout(1500)
+    before = page.evaluate("studio.known.edit.bands[0][0][1]")
+    x, y = edge(page, 0, 0, 1)
+    page.mouse.move(x, y)
+    page.mouse.down()
+    page.mouse.move(x - 60, y, steps=6)
+    page.mouse.up()
+    until(
+        lambda: page.evaluate("studio.known.edit.changed && studio.known.edit.canUndo"), "the edit"
+    )
+    until(lambda: list(folder.glob(".footfall-studio/*")), "the draft")
+    moved = page.evaluate("studio.known.edit.bands[0][0][1]")
+    assert moved < before - 0.02
+    page.reload()
+    until(lambda: page.evaluate("studio.known.edit?.changed"), "unsaved work after a reload")
+    assert page.evaluate("studio.known.edit.bands[0][0][1]") == moved
+    page.click("[data-do=save]")
+    until(lambda: (folder / "walk.supports").exists(), "the annotation")
+    until(lambda: not page.evaluate("studio.known.edit.changed"), "the saved state")
+    assert not list(folder.glob(".footfall-studio/*"))
+    saved = load_supports(folder / "walk.supports")
+    assert saved == studio.session.motions.find("walk").motion.supports
+
+
+def see_why_it_waits(page: Any) -> None:
+    look_at(page, "stage")
+    page.keyboard.press("1")
+    until(lambda: activity(page, "walk") == "running", "the walk")
+    # A kick begins on both feet, and only there: sooner or later its start has to wait. Time
+    # stands still meanwhile, so that the reason can be read.
+    for _ in range(20):
+        page.evaluate("studio.say('pause', {on: true})")
+        page.evaluate("studio.say('start', {name: 'kick'})")
+        page.wait_for_timeout(300)
+        if activity(page, "kick") == "waiting":
+            break
+        page.evaluate("studio.say('stop', {name: 'kick'})")
+        page.evaluate("studio.say('pause', {on: false})")
+        until(lambda: activity(page, "kick") == "idle", "the end of the kick")
+    until(lambda: "waiting because" in page.inner_text("[data-name=kick] .reason"), "the reason")
+    page.evaluate("studio.say('pause', {on: false})")
+    until(lambda: activity(page, "kick") != "waiting", "the end of the wait")
+
+
+def move_the_ground(studio: Any, page: Any) -> None:
+    page.evaluate("studio.say('lift', {value: 0.25})")
+    until(lambda: studio.session.stage.performer.lift == 0.25, "the raised ground")
+    feet = studio.session.stage.performer.foot_points
+    assert feet[..., 1].min() == pytest.approx(0.25, abs=0.06)
+
+
+def record_and_open_again(studio: Any, page: Any, folder: Path) -> None:
+    page.click("#save summary")
+    page.fill("#take", "first try")
+    page.click("[data-form=scenario]")
+    until(lambda: (folder / "first try.toml").exists(), "the scenario")
+    scenario = load_scenario(folder / "first try.toml")
+    performance = perform(scenario)
+    assert performance.lifts[-1] == 0.25
+    page.evaluate("studio.say('open', {file: 'first try.toml'})")
+    until(lambda: studio.session.script or studio.session.stage.begun, "the opened take")
+    until(lambda: not studio.session.script, "the end of the replay")
+    with studio.session.lock:
+        performer = studio.session.stage.performer
+        frame = performer.frame
+        if frame < performance.recording.frames:
+            told = performance.recording.world_positions[frame]
+            np.testing.assert_array_equal(performer.positions, told)
+    for form in ("bvh", "glb", "picture"):
+        page.click("#save summary")
+        page.fill("#take", "first try")
+        page.click(f"[data-form={form}]")
+    for suffix in ("bvh", "glb", "png"):
+        until((folder / f"first try.{suffix}").exists, suffix)
+    assert (folder / "first try.png").read_bytes()[:4] == b"\x89PNG"
+
+
+@pytest.mark.full
+@pytest.mark.parametrize(("width", "height"), SIZES)
+def test_nothing_is_cut_and_nothing_overlaps_in_any_view(
+    tmp_path: Path, width: int, height: int
+) -> None:
+    pictures = Path("out") / "studio"
+    pictures.mkdir(parents=True, exist_ok=True)
+    with studio_in_browser(tmp_path, width=width, height=height) as (_, page):
+        page.wait_for_timeout(4000)
+        for key in "13":
+            page.keyboard.press(key)
+            page.wait_for_timeout(2500)
+        page.check("#ghost")
+        page.keyboard.press("6")
+        page.wait_for_timeout(1500)
+        page.keyboard.press(" ")
+        for view in ("stage", "card", "menu", "supports", "crowd"):
+            if view == "card":
+                page.click(".card .more")
+            elif view == "menu":
+                page.click("#save summary")
+            else:
+                look_at(page, view)
+            if view == "crowd":
+                page.click("#pause")
+                until(lambda: page.evaluate("Boolean(studio.known.herd)"), "the crowd")
+                page.click("[aria-label='run, group B']")
+                page.click("[aria-label='side-step, group D']")
+                page.wait_for_timeout(6000)
+            page.wait_for_timeout(2500)
+            page.screenshot(path=pictures / f"{view}-{width}.png")
+            assert overflowing(page) == [], view
+            if view != "menu":
+                assert overlapping(page) == [], view
+
+
+@pytest.mark.full
+def test_a_drag_reaches_the_engine_within_fifty_milliseconds(tmp_path: Path) -> None:
+    with studio_in_browser(tmp_path, files=["sample:walk"]) as (_, page):
+        look_at(page, "supports")
+        until(lambda: page.evaluate("Boolean(studio.known.edit)"), "the editor")
+        times = page.evaluate(
+            """async () => {
+              const times = [];
+              const from = studio.known.edit.bands[0][0][1];
+              for (let i = 0; i < 60; i++) {
+                const start = performance.now();
+                await studio.say("drag", {foot: 0, band: 0, side: "end", time: from - 0.001 * i});
+                times.push(performance.now() - start);
+              }
+              return times;
+            }"""
+        )
+        print(f"drag: median {statistics.median(times):.1f} ms, most {max(times):.1f} ms")
+        assert sorted(times)[int(0.95 * len(times))] < 50.0
