@@ -23,7 +23,7 @@ BLENDER = os.environ.get("FOOTFALL_BLENDER", "")
 def test_blender_has_the_joints_within_a_millimeter(tmp_path: Path, name: str) -> None:
     clip = load(CLIP)
     save(clip, tmp_path / name)
-    script = Path(__file__).with_name("blender_joints.py")
+    script = Path(__file__).parents[2] / "benchmarks" / "blender_joints.py"
     out = tmp_path / "out.json"
     subprocess.run(
         [BLENDER, str(script), str(tmp_path / name), str(out)], check=True, capture_output=True

@@ -27,6 +27,9 @@ TABLE, PAGE = "annotations.parquet", "annotations.html"
 Told = Callable[[int, int, ClipAnnotation | None], None]
 """Is told how many files are done, of how many, and the row of the last one; None at the start."""
 
+SUFFIXES = tuple(sorted(suffix for suffix in READERS if not suffix.startswith(".txt")))
+"""Of the files of an archive that are motions: most of its plain texts are none."""
+
 
 @dataclass(frozen=True, slots=True)
 class ArchiveSummary:
@@ -58,12 +61,12 @@ def motion_files(archive: Path, output: Path) -> tuple[str, ...]:
     files = [
         path.relative_to(archive).as_posix()
         for path in archive.rglob("*")
-        if path.name.lower().endswith(tuple(READERS))
+        if path.name.lower().endswith(SUFFIXES)
         and path.is_file()
         and results not in path.resolve().parents
     ]
     if not files:
-        raise ArgumentError(f"{archive} holds no motion; looked for {', '.join(sorted(READERS))}")
+        raise ArgumentError(f"{archive} holds no motion; looked for {', '.join(SUFFIXES)}")
     return tuple(sorted(files))
 
 

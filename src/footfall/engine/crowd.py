@@ -120,8 +120,7 @@ class Crowd(Standing):
             late: What becomes of it then: "give up", or "mute" to go on without its legs.
 
         Returns:
-            Whether it runs now, for each of the rows; where not, it waits and starts as soon
-            as it can be synchronized.
+            Whether it runs now, for each of the rows; where not, it waits for its moment.
 
         Raises:
             ArgumentError: If an argument is out of range, or a character has its hands full.
@@ -222,7 +221,7 @@ class Crowd(Standing):
 
     @property
     def search(self) -> SearchMemories:
-        """Working memory of the planner."""
+        """Memory of the planner."""
         return self._work.search
 
     @property

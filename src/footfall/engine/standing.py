@@ -39,7 +39,9 @@ class Standing:
         """
         ground = Plane(height)
         if isinstance(self._ground, Plane):
-            self._characters["level"][:, 0] += height - self._ground.height
+            rise = height - self._ground.height
+            self._characters["level"][:, 0] += rise
+            self._characters["ground_below"] += rise
         self.ground = ground
 
     def place(
