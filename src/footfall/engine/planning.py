@@ -28,25 +28,29 @@ SHORTEST_REST = 1e-3
 
 @inner_kernel
 def window_of(me: Character, search: SearchMemories) -> Window:
-    """Return the synchronizer's window on one character, without a copy."""
+    """Return the synchronizer's window on one character, without a copy.
+
+    The slices make plain arrays of a record's own, so that what is compiled for the engine is
+    also what Python calls.
+    """
     return Window(
-        me.playing,
-        me.sequence,
-        me.priority,
-        me.age,
-        me.weight,
-        me.remaining,
-        me.held,
-        me.muted,
-        me.phases,
-        me.results,
-        me.durations,
-        me.pace,
-        me.slot_offset,
-        me.steady,
+        me.playing[:],
+        me.sequence[:],
+        me.priority[:],
+        me.age[:],
+        me.weight[:],
+        me.remaining[:],
+        me.held[:],
+        me.muted[:],
+        me.phases[:],
+        me.results[:],
+        me.durations[:],
+        me.pace[:],
+        me.slot_offset[:],
+        me.steady[:],
         search,
-        me.spare_phases,
-        me.spare_results,
+        me.spare_phases[:],
+        me.spare_results[:],
     )
 
 
