@@ -1,4 +1,4 @@
-"""What a motion shows of a body that its rest pose does not: hinges and flat soles.
+"""What a motion shows of a body that its rest pose does not: hinges, clavicles and flat soles.
 
 Knees and elbows bend in one plane, whichever way the frames of their joints are turned. Feet are
 flat where their ankles are lowest.
@@ -14,6 +14,7 @@ from footfall.motion.clip import Clip
 from footfall.motion.soles import FLAT_SHARE
 from footfall.skeleton import Anatomy, Arm, Leg, leg_length
 from footfall.skeleton.canonical_pose import LimbAttitudes
+from footfall.skeleton.landmarks import Landmarks, find_landmarks
 
 __all__ = ["observe_attitudes"]
 
@@ -28,7 +29,7 @@ LEAST_HEIGHT = 0.5
 
 
 def observe_attitudes(clip: Clip, anatomy: Anatomy) -> LimbAttitudes:
-    """Return what a motion shows of hinges and soles.
+    """Return what a motion shows of hinges, clavicles and soles.
 
     Args:
         clip: The motion.
@@ -36,14 +37,30 @@ def observe_attitudes(clip: Clip, anatomy: Anatomy) -> LimbAttitudes:
     """
     rotations, positions = clip.world_poses()
     hinges, soles, toes = np.zeros((2, 2, 2, 3)), np.zeros((2, 3)), np.zeros((2, 4))
+    landmarks = find_landmarks(clip.skeleton, anatomy)
+    ups = np.zeros((2, 3))
     for side in range(2):
+        clavicle = landmarks.clavicles[side]
+        if clavicle is not None:
+            ups[side] = _up_in(clavicle, landmarks, positions, rotations)
         arm, leg = anatomy.arms[side], anatomy.legs[side]
         if arm is not None:
             hinges[0, side] = _hinge(_arm_joints(arm), rotations, positions)
         hinges[1, side] = _hinge((leg.hip, leg.knee, leg.ankle), rotations, positions)
         least = LEAST_HEIGHT * leg_length(clip.skeleton, leg)
         soles[side], toes[side] = _flat_foot(leg, rotations, positions, least)
-    return LimbAttitudes(hinges, soles, toes)
+    return LimbAttitudes(hinges, soles, toes, ups)
+
+
+def _up_in(
+    joint: int, landmarks: Landmarks, positions: Positions, rotations: Rotations
+) -> Positions:
+    """Return the mean direction up the trunk in a joint's frame; zeros where it has none."""
+    arms = [arm.shoulder for arm in landmarks.anatomy.arms if arm is not None]
+    ups = _unit(positions[:, arms].mean(axis=1) - positions[:, landmarks.pelvis])
+    mean = rotate(conjugate(rotations[:, joint]), ups).mean(axis=0)
+    size = float(np.linalg.norm(mean))
+    return mean / size if size >= LEAST_AGREEMENT else np.zeros(3)
 
 
 def _arm_joints(arm: Arm) -> tuple[int, int, int]:

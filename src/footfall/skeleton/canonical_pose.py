@@ -8,6 +8,7 @@ turns the other's. The body faces +z, its left is +x, arms are level (a T).
   folded back at rest are first swung out sideways, so that the front stays the front.
 * The twist of a limb follows its hinge, where a motion has shown it: knees fold backward, elbows
   forward. A rest pose of straight limbs does not tell.
+* A clavicle that is astray at rest has its top where a motion has the trunk's up in its frame.
 * Feet stand on their soles, as seen in a motion, or else as they stand at rest.
 """
 
@@ -33,7 +34,8 @@ FOLDED = np.cos(np.radians(100.0))
 """A limb farther than this from where it should point is folded back at rest."""
 
 ASTRAY = np.cos(np.radians(60.0))
-"""A clavicle, or toes, farther than this from their direction are not in a natural pose."""
+"""A clavicle, or toes, farther than this from their direction are not in a natural pose; nor is
+a clavicle whose top, as seen in a motion, is farther than this from up."""
 
 STANDING = np.cos(np.radians(50.0))
 """A rest pose whose shanks point down up to this angle stands on its feet."""
@@ -54,6 +56,9 @@ class LimbAttitudes:
 
     toe_turns: Rotations = field(default_factory=lambda: np.zeros((2, 4)))
     """The toe joint relative to the ankle while the foot is flat, shape (2, 4)."""
+
+    clavicle_ups: Floats = field(default_factory=lambda: np.zeros((2, 3)))
+    """Unit vector up the trunk in the frame of each clavicle, in the mean, shape (2, 3)."""
 
 
 def canonical_rotations(
@@ -77,7 +82,8 @@ def canonical_rotations(
         if arm is not None:
             clavicle = landmarks.clavicles[side]
             if clavicle is not None:
-                pose.straighten(clavicle, arm.shoulder, sideways)
+                up = pose.attitudes.clavicle_ups[side]
+                pose.straighten(clavicle, arm.shoulder, sideways, up)
             bend = -UP if side == 0 else UP
             hinge = pose.attitudes.hinge_axes[0, side]
             pose.point(arm.shoulder, arm.elbow, sideways, hinge[0], bend)
@@ -99,7 +105,9 @@ def rest_axes(skeleton: Skeleton, landmarks: Landmarks) -> Rotations:
     middle = 0.5 * (hips[0] + hips[1])
     shoulders = [places[arm.shoulder] for arm in anatomy.arms if arm is not None]
     if len(shoulders) == 2:
-        across = across + shoulders[0] - shoulders[1]
+        between = shoulders[0] - shoulders[1]
+        # Clavicles that are astray at rest say nothing of where left is.
+        across = across + between if float(across @ between) > 0.0 else across
         top = 0.5 * (shoulders[0] + shoulders[1])
     else:
         top = places[landmarks.head if landmarks.head is not None else landmarks.chest]
@@ -163,12 +171,20 @@ class _Pose:
         now = self.of(joint)
         self.turned[joint] = multiply(_unfolding(rotate(now, bone), goal), now)
 
-    def straighten(self, joint: int, end: int, goal: Positions) -> None:
-        """Turn a bone to its direction where it is far from it; else it stays as at rest."""
+    def straighten(self, joint: int, end: int, goal: Positions, up: Positions) -> None:
+        """Turn a bone to its direction, its top up, where it is far from that; else as at rest."""
         bone = self.places[end] - self.places[joint]
         length = float(np.linalg.norm(bone))
-        if length > _SHORTEST and float(rotate(self.of(joint), bone) @ goal) < ASTRAY * length:
-            self.point(joint, end, goal, np.zeros(3), UP)
+        if length < _SHORTEST:
+            return
+        now = self.of(joint)
+        if float(rotate(now, bone) @ goal) < ASTRAY * length:
+            self.point(joint, end, goal, up, UP)
+        elif up.any() and float(rotate(now, up) @ UP) < ASTRAY:
+            kept = rotate(now, bone) / length
+            above = _across(UP, kept)
+            if above.any():
+                self.point(joint, end, kept, up, above)
 
     def stand(self, side: int) -> None:
         """Turn a foot so that its sole is on the ground and points ahead, its toes level."""
