@@ -116,6 +116,29 @@ def test_clean_writes_the_motion_and_its_supports(tmp_path: Path, capsys: Captur
     assert sorted(one.name for one in tmp_path.iterdir()) == ["clean.npz", "clean.supports"]
 
 
+def test_supports_of_another_motion_are_neither_used_nor_left_beside_it(
+    tmp_path: Path, capsys: Captured
+) -> None:
+    walk, other = tmp_path / "walk.bvh", tmp_path / "other.bvh"
+    assert main(["edit", "sample:walk", str(walk)]) == 0
+    (tmp_path / "other.supports").write_text("once\nR 0.5\n")
+    before = walk.read_bytes()
+    capsys.readouterr()
+    assert main(["edit", str(walk), str(other), "--mirror"]) == 2
+    assert capsys.readouterr().err == (
+        f"footfall: {other}: would stand beside other.supports, which is of another motion; "
+        "delete that file, or choose another name\n"
+    )
+    assert not other.exists()
+    (tmp_path / "walk.supports").write_text("once\nR 0.5\n")
+    assert main(["report", str(walk)]) == 2
+    assert capsys.readouterr().err == (
+        f"footfall: {walk}: lasts 1.067 s, the supports that travel with it 0.500 s; they are "
+        "another motion's: delete walk.supports, or detect anew\n"
+    )
+    assert walk.read_bytes() == before
+
+
 def test_sync_answers_in_json(capsys: Captured) -> None:
     words = ["sync", "R D L D*", "- R L", "--start", "0,1", "--slots", "4", "--planner", "paper"]
     assert main([*words, "--json"]) == 0

@@ -11,9 +11,8 @@ from typing import Any, Literal
 from cyclopts import Parameter
 
 from footfall.errors import ArgumentError, ClipError, FileFormatError, FootfallError
-from footfall.io import load
 from footfall.motion import Clip
-from footfall.scenario.motions import SAMPLE, load_motion, supports_beside
+from footfall.scenario.motions import SAMPLE, load_motion, load_with_supports
 from footfall.support import SupportSequence
 
 __all__ = ["Known", "about", "origin_of", "read_motion"]
@@ -69,7 +68,7 @@ def read_motion(name: str, known: Known | None = None) -> tuple[Clip, SupportSeq
     """
     known = known or NOTHING
     if not name.startswith(SAMPLE):
-        return load(name, **known.options()), supports_beside(Path(name))
+        return load_with_supports(Path(name), **known.options())
     for option in fields(known):
         if getattr(known, option.name) is not None:
             raise ArgumentError(f"{name} is no file; --{option.name} is for files")

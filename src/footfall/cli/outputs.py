@@ -58,8 +58,10 @@ def save_motion(
         symbols: The same frame by frame, for files that keep it.
 
     Raises:
-        FileFormatError: If a file cannot be written.
+        FileFormatError: If a file cannot be written, or supports of another motion lie beside it.
     """
+    if supports is None:
+        _check_none_beside(path)
     suffix = path.suffix.lower()
     if suffix == ".glb":
         save_gltf(clip, path, supports=symbols)
@@ -69,6 +71,21 @@ def save_motion(
         save(clip, path)
     if supports is not None:
         save_supports(supports, supports_path(path))
+
+
+def _check_none_beside(path: Path) -> None:
+    """Refuse to write another motion beside supports that would then be taken for its own.
+
+    Raises:
+        FileFormatError: If there are any.
+    """
+    beside = supports_path(path)
+    if beside.exists():
+        raise FileFormatError(
+            f"would stand beside {beside.name}, which is of another motion; "
+            "delete that file, or choose another name",
+            path=path,
+        )
 
 
 def write_json(path: Path, content: Mapping[str, Any]) -> None:

@@ -21,7 +21,7 @@ from footfall.skeleton.rig import Rig, rig_of
 from footfall.support import SupportSequence
 from footfall.sync.tables import Planner, SequenceTable, check_registration
 
-__all__ = ["Action", "MotionLibrary"]
+__all__ = ["LONGEST_DISAGREEMENT", "Action", "MotionLibrary"]
 
 LONGEST_DISAGREEMENT = 0.02
 """How far a support sequence may be from lasting as long as its clip [s]."""

@@ -5,8 +5,10 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 from footfall.detection import clean, detect_supports
+from footfall.engine.library import LONGEST_DISAGREEMENT
 from footfall.errors import FileFormatError, FootfallError, ScenarioError
 from footfall.io import load, load_native_supports, load_supports, split_choice
 from footfall.io.amass import is_amass
@@ -24,6 +26,7 @@ __all__ = [
     "Motion",
     "body_of",
     "load_motion",
+    "load_with_supports",
     "resolve_motion",
     "supports_beside",
     "supports_path",
@@ -87,8 +90,27 @@ def load_motion(name: str, folder: Path, fps: float = 60.0) -> tuple[Clip, Suppo
     """
     if name.startswith(SAMPLE):
         return sample(name.removeprefix(SAMPLE), fps=max(fps, 60.0))
-    path = folder / name
-    return load(path), supports_beside(path)
+    return load_with_supports(folder / name)
+
+
+def load_with_supports(path: Path, **known: Any) -> tuple[Clip, SupportSequence | None]:
+    """Return the motion of a file, and the supports that travel with it.
+
+    Args:
+        path: The file.
+        known: What is known better than the file knows it, as `load` takes it.
+
+    Raises:
+        FileFormatError: If either cannot be read, or they last another time than the motion.
+    """
+    clip, supports = load(path, **known), supports_beside(path)
+    if supports is not None and abs(supports.duration - clip.duration) > LONGEST_DISAGREEMENT:
+        raise FileFormatError(
+            f"lasts {clip.duration:.3f} s, the supports that travel with it {supports.duration:.3f}"
+            f" s; they are another motion's: delete {supports_path(path).name}, or detect anew",
+            path=path,
+        )
+    return clip, supports
 
 
 def body_of(scenario: Scenario) -> Skeleton | None:

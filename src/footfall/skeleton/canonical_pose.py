@@ -19,9 +19,10 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from footfall.arrays import Floats, Positions, Rotations
-from footfall.geometry import conjugate, from_matrix, multiply, quaternions, rotate
+from footfall.geometry import conjugate, from_matrix, multiply, rotate
 from footfall.skeleton.landmarks import Landmarks, rest_positions
 from footfall.skeleton.skeleton import Skeleton
+from footfall.skeleton.turns import across, frame_turn, unfolding
 
 __all__ = ["LimbAttitudes", "canonical_rotations", "rest_axes"]
 
@@ -29,9 +30,6 @@ LEFT, UP, AHEAD = np.eye(3)
 
 SNAP = np.cos(np.radians(30.0))
 """Rest poses are drawn along axes: a body's own axes are these, if it is within 30° of them."""
-
-FOLDED = np.cos(np.radians(100.0))
-"""A limb farther than this from where it should point is folded back at rest."""
 
 ASTRAY = np.cos(np.radians(60.0))
 """A clavicle, or toes, farther than this from their direction are not in a natural pose; nor is
@@ -101,17 +99,17 @@ def rest_axes(skeleton: Skeleton, landmarks: Landmarks) -> Rotations:
     places = rest_positions(skeleton)
     anatomy = landmarks.anatomy
     hips = [places[leg.hip] for leg in anatomy.legs]
-    across = hips[0] - hips[1]
+    sideways = hips[0] - hips[1]
     middle = 0.5 * (hips[0] + hips[1])
     shoulders = [places[arm.shoulder] for arm in anatomy.arms if arm is not None]
     if len(shoulders) == 2:
         between = shoulders[0] - shoulders[1]
         # Clavicles that are astray at rest say nothing of where left is.
-        across = across + between if float(across @ between) > 0.0 else across
+        sideways = sideways + between if float(sideways @ between) > 0.0 else sideways
         top = 0.5 * (shoulders[0] + shoulders[1])
     else:
         top = places[landmarks.head if landmarks.head is not None else landmarks.chest]
-    left = _snapped(across, LEFT)
+    left = _snapped(sideways, LEFT)
     up = _snapped(top - middle, UP)
     up = up - float(up @ left) * left
     if np.linalg.norm(up) < 0.1:
@@ -162,14 +160,14 @@ class _Pose:
     ) -> None:
         """Turn a bone to its direction, its hinge to its axis."""
         bone = self.places[end] - self.places[joint]
-        across = _across(hinge, bone)
+        axle = across(hinge, bone)
         if np.linalg.norm(bone) < _SHORTEST:
             return
-        if np.linalg.norm(across) > 0.5:
-            self.turned[joint] = _frame_turn(bone, across, goal, axis)
+        if np.linalg.norm(axle) > 0.5:
+            self.turned[joint] = frame_turn(bone, axle, goal, axis)
             return
         now = self.of(joint)
-        self.turned[joint] = multiply(_unfolding(rotate(now, bone), goal), now)
+        self.turned[joint] = multiply(unfolding(rotate(now, bone), goal), now)
 
     def straighten(self, joint: int, end: int, goal: Positions, up: Positions) -> None:
         """Turn a bone to its direction, its top up, where it is far from that; else as at rest."""
@@ -182,7 +180,7 @@ class _Pose:
             self.point(joint, end, goal, up, UP)
         elif up.any() and float(rotate(now, up) @ UP) < ASTRAY:
             kept = rotate(now, bone) / length
-            above = _across(UP, kept)
+            above = across(UP, kept)
             if above.any():
                 self.point(joint, end, kept, up, above)
 
@@ -197,12 +195,12 @@ class _Pose:
             if length > _SHORTEST and float(down @ shank) < STANDING * length:
                 down = shank / length
         tip = self.places[leg.toe.joint] - self.places[leg.ankle] + np.array(leg.toe.offset)
-        fore = _across(tip, down)
+        fore = across(tip, down)
         if np.linalg.norm(fore) < 0.2:
-            fore = _across(rotate(conjugate(self.of(leg.ankle)), AHEAD), down)
+            fore = across(rotate(conjugate(self.of(leg.ankle)), AHEAD), down)
         if np.linalg.norm(fore) < _SHORTEST:
             return
-        self.turned[leg.ankle] = _frame_turn(down, fore, -UP, AHEAD)
+        self.turned[leg.ankle] = frame_turn(down, fore, -UP, AHEAD)
         if toe is not None:
             self._level_toe(side, toe, leg.ankle)
 
@@ -217,41 +215,4 @@ class _Pose:
         length = float(np.linalg.norm(tip))
         now = self.turned[ankle]
         if length > _SHORTEST and float(rotate(now, tip) @ AHEAD) < ASTRAY * length:
-            self.turned[toe] = multiply(_unfolding(rotate(now, tip), AHEAD), now)
-
-
-def _across(vector: Positions, line: Positions) -> Positions:
-    """Return the unit part of a vector across a line, shorter where it is nearly along it."""
-    length, size = float(np.linalg.norm(line)), float(np.linalg.norm(vector))
-    if length < _SHORTEST or size < _SHORTEST:
-        return np.zeros(3)
-    part = vector / size - float(vector @ line) / (size * length**2) * line
-    share = float(np.linalg.norm(part))
-    return part / share if share > 0.2 else np.zeros(3)
-
-
-def _frame_turn(one: Positions, other: Positions, goal: Positions, axis: Positions) -> Rotations:
-    """Return the rotation of one direction to a goal, and of one across it to an axis."""
-    own = np.stack([one / np.linalg.norm(one), other, np.cross(one, other) / np.linalg.norm(one)])
-    return from_matrix(np.stack([goal, axis, np.cross(goal, axis)]).T @ own)
-
-
-def _unfolding(bone: Positions, goal: Positions) -> Rotations:
-    """Return the shortest turn of a bone to its goal, sideways first where it is folded back."""
-    size = float(np.linalg.norm(bone))
-    first = np.array([1.0, 0.0, 0.0, 0.0])
-    level = float(np.hypot(bone[0], bone[1]))
-    if float(bone @ goal) < FOLDED * size and level > 0.1 * size:
-        x = float(bone[0] * goal[0] + bone[1] * goal[1])
-        y = float(bone[0] * goal[1] - bone[1] * goal[0])
-        half = 0.5 * float(np.arctan2(y, x))
-        first = np.array([np.cos(half), 0.0, 0.0, np.sin(half)])
-    turned = rotate(first, bone)
-    shortest = np.array(_between(turned, goal))
-    return multiply(shortest, first)
-
-
-def _between(one: Positions, other: Positions) -> tuple[float, float, float, float]:
-    ax, ay, az = one.tolist()
-    bx, by, bz = other.tolist()
-    return quaternions.between(ax, ay, az, bx, by, bz)
+            self.turned[toe] = multiply(unfolding(rotate(now, tip), AHEAD), now)
