@@ -172,7 +172,7 @@ def test_the_other_takes_of_a_file_are_told() -> None:
 def test_the_parser_may_not_take_all_memory(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
-    monkeypatch.setattr("footfall.io.fbx.LEAST_MEMORY", 100_000)
-    monkeypatch.setattr("footfall.io.fbx.MEMORY_PER_BYTE", 0)
+    monkeypatch.setattr("footfall.io.guarded_process.LEAST_MEMORY", 100_000)
+    monkeypatch.setattr("footfall.io.guarded_process.MEMORY_PER_BYTE", 0)
     with pytest.raises(FileFormatError, match=r"[Mm]emory|far more than such a file holds"):
         load(written(tmp_path))

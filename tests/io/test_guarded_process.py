@@ -2,27 +2,52 @@ from __future__ import annotations
 
 import time
 from pathlib import Path
+from typing import Any
 
 import pytest
 
 from footfall.errors import FileFormatError
-from footfall.io.guarded_process import run_guarded, time_allowed
+from footfall.io.guarded_child import MOST_FILES
+from footfall.io.guarded_process import kept_children, memory_allowed, read_guarded, time_allowed
 
 FILE = Path("walk.fbx")
 
+SCRIPT = """
+import os, sys
+import numpy as np
 
-def run(tmp_path: Path, code: str, *, seconds: float = 60.0) -> bytes:
+class UnreadableError(Exception):
+    pass
+
+def load_library():
+    pass
+
+def read_file(words, data, allowed):
+    print("a library that talks")
+    {code}
+    return {{"words": words, "process": os.getpid()}}, {{"data": np.frombuffer(data, np.uint8)}}
+"""
+
+
+def read(
+    tmp_path: Path, code: str, data: bytes = b"data", *, seconds: float = 60.0
+) -> tuple[dict[str, Any], dict[str, Any]]:
     script = tmp_path / "child.py"
-    script.write_text(f"import os, sys\n{code}\n")
-    return run_guarded(script, ["one"], b"data", FILE, seconds=seconds)
+    script.write_text(SCRIPT.format(code=code))
+    return read_guarded(script, ["one"], data, FILE, size=len(data), seconds=seconds)
 
 
-def test_what_the_script_writes_comes_back(tmp_path: Path) -> None:
-    code = "sys.stdout.buffer.write(sys.stdin.buffer.read() + sys.argv[1].encode())"
-    assert run(tmp_path, code) == b"dataone"
+def process(tmp_path: Path, data: bytes, code: str = "pass") -> int:
+    return int(read(tmp_path, code, data)[0]["process"])
 
 
-@pytest.mark.parametrize(
+def test_what_the_script_reads_comes_back(tmp_path: Path) -> None:
+    facts, arrays = read(tmp_path, "pass")
+    assert facts["words"] == ["one"]
+    assert {name: array.tobytes() for name, array in arrays.items()} == {"data": b"data"}
+
+
+FAILURES = pytest.mark.parametrize(
     ("code", "told"),
     [
         ("os.abort()", "made its parser fail (exit code -6)"),
@@ -33,26 +58,96 @@ def test_what_the_script_writes_comes_back(tmp_path: Path) -> None:
         ),
     ],
 )
+
+
+@FAILURES
 def test_a_script_that_crashes_takes_nothing_down(tmp_path: Path, code: str, told: str) -> None:
     with pytest.raises(FileFormatError) as caught:
-        run(tmp_path, code)
+        read(tmp_path, code)
     assert str(caught.value) == (
         f"walk.fbx: {told}; the file is damaged, or holds what the parser does not know"
     )
 
 
+def test_what_the_script_finds_wrong_is_told(tmp_path: Path) -> None:
+    with pytest.raises(FileFormatError) as caught:
+        read(tmp_path, "raise UnreadableError('holds nothing')")
+    assert str(caught.value) == "walk.fbx: holds nothing"
+
+
 def test_a_script_that_never_ends_is_ended(tmp_path: Path) -> None:
     began = time.monotonic()
     with pytest.raises(FileFormatError, match=r"still being read after 1 s, and was given up"):
-        run(tmp_path, "import time; time.sleep(60)", seconds=1.0)
+        read(tmp_path, "import time; time.sleep(60)", seconds=1.0)
     assert time.monotonic() - began < 20.0
 
 
 def test_a_script_beside_libraries_of_its_name_does_not_hide_them(tmp_path: Path) -> None:
-    (tmp_path / "json.py").write_text("raise RuntimeError('hidden')\n")
-    assert run(tmp_path, "import json; print(json.dumps(1), end='')") == b"1"
+    (tmp_path / "fractions.py").write_text("raise RuntimeError('hidden')\n")
+    read(tmp_path, "import fractions")
 
 
-def test_a_larger_file_may_take_longer() -> None:
+@pytest.mark.skipif(not Path("/proc/self/statm").exists(), reason="memory is limited on Linux only")
+def test_a_script_that_takes_too_much_memory_fails(tmp_path: Path) -> None:
+    allowed = memory_allowed(4)
+    read(tmp_path, f"np.ones({allowed // 16})")
+    with pytest.raises(FileFormatError, match="MemoryError: Unable to allocate"):
+        read(tmp_path, f"np.ones({allowed // 4})")
+
+
+def test_a_larger_file_may_take_longer_and_more_memory() -> None:
     assert time_allowed(0) == 20.0
     assert time_allowed(3_000_000) == 26.0
+    assert memory_allowed(3_000_000) == 96_000_000
+
+
+def test_every_file_has_a_process_of_its_own(tmp_path: Path) -> None:
+    assert process(tmp_path, b"1") != process(tmp_path, b"2")
+
+
+def test_a_kept_process_reads_many_files_each_by_itself(tmp_path: Path) -> None:
+    script = tmp_path / "child.py"
+    script.write_text(SCRIPT.format(code="pass"))
+    seen: set[int] = set()
+    with kept_children():
+        for number in range(MOST_FILES + 5):
+            data = str(number).encode() * number
+            facts, arrays = read_guarded(script, [str(number)], data, FILE, size=len(data))
+            assert facts["words"] == [str(number)]
+            assert arrays["data"].tobytes() == data
+            seen.add(facts["process"])
+    # The first one was worn.
+    assert len(seen) == 2
+
+
+CRASH = "if data == b'bad': os.abort()"
+FRAGILE = """
+    global before
+    if data == b'2' and globals().get('before'): os.abort()
+    before = True"""
+
+
+def test_a_kept_process_that_crashes_is_replaced_and_only_its_file_blamed(tmp_path: Path) -> None:
+    with kept_children():
+        first = process(tmp_path, b"1", CRASH)
+        assert process(tmp_path, b"2", CRASH) == first
+        with pytest.raises(FileFormatError, match="made its parser fail"):
+            process(tmp_path, b"bad", CRASH)
+        assert process(tmp_path, b"3", CRASH) != first
+
+
+def test_what_a_file_left_behind_is_no_fault_of_the_next(tmp_path: Path) -> None:
+    with kept_children():
+        first = process(tmp_path, b"1", FRAGILE)
+        assert process(tmp_path, b"2", FRAGILE) != first
+
+
+def test_a_kept_process_that_hangs_is_ended_at_once_for_all(tmp_path: Path) -> None:
+    code = "import time; time.sleep(60.0 * (data == b'bad'))"
+    with kept_children():
+        read(tmp_path, code, b"1")
+        began = time.monotonic()
+        with pytest.raises(FileFormatError, match="still being read"):
+            read(tmp_path, code, b"bad", seconds=1.0)
+        assert time.monotonic() - began < 2.0
+        read(tmp_path, code, b"2")

@@ -11,6 +11,7 @@ from typing import Any
 
 from footfall.errors import ArgumentError
 from footfall.extras import extra_module
+from footfall.io.guarded_process import keep_children
 
 __all__ = ["dask_executor", "local_pool", "usable_cores"]
 
@@ -39,13 +40,14 @@ def local_pool(workers: int | None = None) -> Executor:
     if count < 1:
         raise ArgumentError(f"workers is {count}; at least one is needed")
     return ProcessPoolExecutor(
-        count, mp_context=multiprocessing.get_context("spawn"), initializer=_ignore_interrupts
+        count, mp_context=multiprocessing.get_context("spawn"), initializer=_begin_work
     )
 
 
-def _ignore_interrupts() -> None:
-    """Leave Ctrl-C to the process that gave the work: it ends the pool."""
+def _begin_work() -> None:
+    """Make ready to read many files; leave Ctrl-C to the process that ends the pool."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
+    keep_children()
 
 
 def dask_executor(address: str) -> Executor:

@@ -2,18 +2,12 @@
 
 from __future__ import annotations
 
-import io
-import json
-import zipfile
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-
-from footfall.errors import FileFormatError
 from footfall.extras import extra_module
 from footfall.io.conclusions import Conclusions
-from footfall.io.guarded_process import run_guarded, time_allowed
+from footfall.io.guarded_process import read_guarded
 from footfall.io.raw_file import read_bytes
 from footfall.io.rigid_frames import matrices_of
 from footfall.io.scene_clip import clip_of_scene, refuse_axis_and_rate
@@ -23,9 +17,6 @@ from footfall.motion import Clip
 __all__ = ["read_fbx", "read_fbx_nodes"]
 
 CHILD = Path(__file__).with_name("fbx_child.py")
-
-LEAST_MEMORY, MEMORY_PER_BYTE = 48_000_000, 16
-"""What the parser may allocate: so much, and so much per byte of the file [bytes]."""
 
 
 def read_fbx(
@@ -79,17 +70,8 @@ def read_fbx_nodes(path: Path, take: str | None = None) -> tuple[SceneNodes, dic
     """
     extra_module("ufbx", f"reading {path.name}", extra="fbx")
     data = read_bytes(path)
-    allowed = LEAST_MEMORY + MEMORY_PER_BYTE * len(data)
-    words = [str(allowed), *([] if take is None else [take])]
-    answer = run_guarded(CHILD, words, data, path, seconds=time_allowed(len(data)))
-    try:
-        with np.load(io.BytesIO(answer), allow_pickle=False) as stored:
-            arrays = {name: stored[name] for name in stored.files}
-    except (OSError, ValueError, EOFError, zipfile.BadZipFile) as error:
-        raise FileFormatError("made its parser stop half-way; it is damaged", path=path) from error
-    header: dict[str, Any] = json.loads(arrays["header"].tobytes())
-    if "error" in header:
-        raise FileFormatError(str(header["error"]), path=path)
+    words = [] if take is None else [take]
+    header, arrays = read_guarded(CHILD, words, data, path, size=len(data))
     matrices = matrices_of(arrays["rotations"], arrays["translations"], arrays["scales"])
     names = tuple(str(name) for name in header["names"])
     fps = float(header["fps"])

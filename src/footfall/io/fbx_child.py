@@ -2,31 +2,23 @@
 
 The parser is a C library behind bindings that crash the process when an element is fetched twice
 (a cached object is returned without a new reference), and the file may be anybody's. So this file
-is run as a script by `footfall.io.guarded_process`: it imports nothing of the project, takes the
-file from its standard input, and writes an ``.npz`` to its standard output.
+is run by `footfall.io.guarded_server`, and imports nothing of the project.
 
-Arrays of the answer: ``header`` (JSON: fps, metres_per_unit, up, names, takes,
-take),
-``parents`` (nodes,), ``joints`` (flags), ``translations`` (frames, nodes, 3) [m], ``rotations``
-(frames, nodes, 4) wxyz, ``scales`` (frames, nodes, 3); each relative to the parent node. Where the
-file cannot be read, ``header`` holds ``error``.
+Facts of the answer: fps, metres_per_unit, up, names, takes, take. Arrays: ``parents`` (nodes,),
+``joints`` (flags), ``translations`` (frames, nodes, 3) [m], ``rotations``
+(frames, nodes, 4) wxyz, ``scales`` (frames, nodes, 3); each relative to the parent node.
 """
 
 from __future__ import annotations
 
 import ctypes
 import importlib
-import io
-import json
-import os
-import sys
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
-__all__ = ["main"]
+__all__ = ["Answer", "UnreadableError", "load_library", "read_file"]
 
 NONE, BONE, EMPTY = 0, 5, 6
 """ufbx's numbers for the attributes of nodes."""
@@ -37,39 +29,31 @@ _increase = ctypes.pythonapi.Py_IncRef
 _increase.argtypes = [ctypes.py_object]
 
 
-class _UnreadableError(Exception):
+Answer = tuple[dict[str, Any], dict[str, npt.NDArray[Any]]]
+"""Facts by name, and arrays by name."""
+
+
+class UnreadableError(Exception):
     """What is wrong with the file."""
 
 
-def main() -> None:
-    """Read a file from standard input; the words are the bytes allowed, and the take if any."""
-    allowed = int(sys.argv[1])
-    take = sys.argv[2] if len(sys.argv) > 2 else None
-    data = sys.stdin.buffer.read()
-    try:
-        answer: dict[str, Any] = _read(data, allowed, take)
-    except _UnreadableError as error:
-        answer = {"header": _header(error=str(error))}
-    packed = io.BytesIO()
-    np.savez(packed, **answer)
-    sys.stdout.buffer.write(packed.getvalue())
-    sys.stdout.buffer.flush()
-    # Without the interpreter's farewell, in which the bindings may yet crash.
-    os._exit(0)
+def load_library() -> None:
+    """Import ufbx."""
+    importlib.import_module("ufbx")
 
 
-def _limit_memory(allowed: int) -> None:
-    """Let this process grow by so many bytes and no further, where the system can see to it."""
-    pages = Path("/proc/self/statm")
-    if pages.exists():
-        resource: Any = importlib.import_module("resource")
-        limit = int(pages.read_text().split()[5]) * resource.getpagesize() + allowed
-        hard = resource.getrlimit(resource.RLIMIT_DATA)[1]
-        resource.setrlimit(resource.RLIMIT_DATA, (limit, hard))
+def read_file(words: list[str], data: bytes, allowed: int) -> Answer:
+    """Return the facts and the arrays of a file.
 
+    Args:
+        words: The name of the take, if any.
+        data: The file.
+        allowed: How much memory reading it may take [bytes].
 
-def _header(**facts: object) -> npt.NDArray[np.uint8]:
-    return np.frombuffer(json.dumps(facts).encode(), dtype=np.uint8)
+    Raises:
+        UnreadableError: If it is damaged.
+    """
+    return _read(data, allowed, words[0] if words else None)
 
 
 def _kept(element: Any) -> Any:
@@ -83,9 +67,8 @@ def _all(elements: Any) -> list[Any]:
     return [_kept(elements[index]) for index in range(len(elements))]
 
 
-def _read(data: bytes, allowed: int, take: str | None) -> dict[str, npt.NDArray[Any]]:
+def _read(data: bytes, allowed: int, take: str | None) -> Answer:
     ufbx: Any = importlib.import_module("ufbx")
-    _limit_memory(allowed)
     try:
         scene = _kept(
             ufbx.load_memory(
@@ -101,22 +84,22 @@ def _read(data: bytes, allowed: int, take: str | None) -> dict[str, npt.NDArray[
         )
     except Exception as error:
         # Whatever the binding raises here, the file is what it is about.
-        raise _UnreadableError(f"is damaged or no FBX file: {error}") from error
+        raise UnreadableError(f"is damaged or no FBX file: {error}") from error
     nodes = _all(scene.nodes)
     stacks = _all(scene.anim_stacks)
     stack = _stack(stacks, take)
     settings = scene.settings
     fps = float(settings.frames_per_second)
     motion = _motion(scene, nodes, stack, fps, allowed)
-    header = _header(
-        fps=fps,
-        metres_per_unit=float(settings.original_unit_meters),
-        up=_axis(settings.axes.up),
-        names=[node.name for node in nodes],
-        takes=[one.name for one in stacks],
-        take=None if stack is None else stack.name,
-    )
-    return {"header": header, **_tree(scene, nodes), **motion}
+    facts = {
+        "fps": fps,
+        "metres_per_unit": float(settings.original_unit_meters),
+        "up": _axis(settings.axes.up),
+        "names": [node.name for node in nodes],
+        "takes": [one.name for one in stacks],
+        "take": None if stack is None else stack.name,
+    }
+    return facts, {**_tree(scene, nodes), **motion}
 
 
 def _axis(direction: int) -> str:
@@ -132,7 +115,7 @@ def _stack(stacks: list[Any], take: str | None) -> Any:
         if stack.name == take:
             return stack
     there = ", ".join(repr(stack.name) for stack in stacks) or "none"
-    raise _UnreadableError(f"holds no take named {take!r}; there are: {there}")
+    raise UnreadableError(f"holds no take named {take!r}; there are: {there}")
 
 
 def _tree(scene: Any, nodes: list[Any]) -> dict[str, npt.NDArray[Any]]:
@@ -163,7 +146,7 @@ def _motion(
     """Return every node relative to its parent in every frame of a take."""
     begin, frames = 0.0, 1
     if not 0.0 < fps <= MOST_FRAMES_PER_SECOND:
-        raise _UnreadableError(
+        raise UnreadableError(
             f"has {fps:g} frames per second; more than 0 and at most {MOST_FRAMES_PER_SECOND} are "
             "possible"
         )
@@ -176,12 +159,12 @@ def _motion(
             begin, end = float(baked.key_time_min), float(baked.key_time_max)
         span = end - begin
         if not (np.isfinite([begin, span]).all() and span >= 0.0):
-            raise _UnreadableError(
+            raise UnreadableError(
                 f"its take runs from {begin:g} s for {span:g} s; a take lasts a finite time"
             )
         frames = round(span * fps) + 1
     if frames * len(nodes) * 80 > allowed:
-        raise _UnreadableError(
+        raise UnreadableError(
             f"its take is {frames} frames of {len(nodes)} nodes, far more than such a file holds; "
             "cut the take first"
         )
@@ -198,7 +181,3 @@ def _motion(
         "rotations": values[..., 3:7],
         "scales": values[..., 7:],
     }
-
-
-if __name__ == "__main__":
-    main()

@@ -2,19 +2,15 @@
 
 from __future__ import annotations
 
-import io
-import json
-import zipfile
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from footfall.arrays import Flags, Floats
-from footfall.errors import FileFormatError
 from footfall.extras import extra_module
 from footfall.io.conclusions import Conclusions
-from footfall.io.guarded_process import run_guarded, time_allowed
+from footfall.io.guarded_process import read_guarded
 from footfall.io.raw_file import read_bytes
 from footfall.io.scene_clip import clip_of_scene, refuse_axis_and_rate
 from footfall.io.scene_nodes import SceneNodes
@@ -23,9 +19,6 @@ from footfall.motion import Clip
 __all__ = ["read_usd", "read_usd_nodes"]
 
 CHILD = Path(__file__).with_name("usd_child.py")
-
-LEAST_MEMORY, MEMORY_PER_BYTE = 48_000_000, 16
-"""What the library may allocate: so much, and so much per byte of the file [bytes]."""
 
 TO_Y_UP = np.array(
     [[1.0, 0.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0], [0.0, -1.0, 0.0, 0.0], [0.0, 0.0, 0.0, 1.0]]
@@ -77,16 +70,8 @@ def read_usd_nodes(path: Path) -> tuple[SceneNodes, dict[str, Any]]:
     """
     extra_module("pxr", f"reading {path.name}", extra="usd", library="usd-core")
     size = len(read_bytes(path))
-    words = [str(path.resolve()), str(LEAST_MEMORY + MEMORY_PER_BYTE * size)]
-    answer = run_guarded(CHILD, words, b"", path, seconds=time_allowed(size))
-    try:
-        with np.load(io.BytesIO(answer), allow_pickle=False) as stored:
-            arrays = {name: stored[name] for name in stored.files}
-    except (OSError, ValueError, EOFError, zipfile.BadZipFile) as error:
-        raise FileFormatError("made its parser stop half-way; it is damaged", path=path) from error
-    header: dict[str, Any] = json.loads(arrays["header"].tobytes())
-    if "error" in header:
-        raise FileFormatError(str(header["error"]), path=path)
+    words = [str(path.resolve())]
+    header, arrays = read_guarded(CHILD, words, b"", path, size=size)
     names = tuple(str(name) for name in header["names"])
     matrices = _in_metres(arrays["matrices"], arrays["parents"] < 0, header)
     return SceneNodes(

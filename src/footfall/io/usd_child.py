@@ -1,95 +1,85 @@
 """Reads a USD file in a process of its own, and hands plain arrays back.
 
-Run as a script by `footfall.io.guarded_process`, as `fbx_child` is and for the same reasons: it
-imports nothing of the project, takes the path of a file, and writes an ``.npz`` to its standard
-output.
+Run by `footfall.io.guarded_server`, as `fbx_child` is and for the same reasons.
 
-Arrays of the answer: ``header`` (JSON: fps, metres_per_unit, up, names), ``parents`` (nodes,),
+Facts of the answer: fps, metres_per_unit, up, names. Arrays: ``parents`` (nodes,),
 ``joints`` (flags), and ``matrices`` (frames, nodes, 4, 4) from each node to its parent, in the
-file's unit and axes, for column vectors. Where the file cannot be read, ``header`` holds ``error``.
+file's unit and axes, for column vectors.
 """
 
 from __future__ import annotations
 
 import importlib
-import io
-import json
 import os
-import sys
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
-__all__ = ["main"]
+__all__ = ["Answer", "UnreadableError", "load_library", "read_file"]
 
 MOST_FRAMES_PER_SECOND = 10_000
 
 
-class _UnreadableError(Exception):
+Answer = tuple[dict[str, Any], dict[str, npt.NDArray[Any]]]
+"""Facts by name, and arrays by name."""
+
+MODULES = ("Tf", "Usd", "UsdGeom", "UsdSkel")
+
+
+class UnreadableError(Exception):
     """What is wrong with the file."""
 
 
-def main() -> None:
-    """Read the file whose path is the first word; the second is the bytes allowed."""
-    allowed = int(sys.argv[2])
-    try:
-        answer = _read(sys.argv[1], allowed)
-    except _UnreadableError as error:
-        answer = {"header": _header(error=str(error))}
-    except UnicodeDecodeError:
-        answer = {"header": _header(error="is damaged: it holds a name that is no UTF-8")}
-    packed = io.BytesIO()
-    np.savez(packed, **answer)
-    sys.stdout.buffer.write(packed.getvalue())
-    sys.stdout.buffer.flush()
-    os._exit(0)
-
-
-def _header(**facts: object) -> Any:
-    return np.frombuffer(json.dumps(facts).encode(), dtype=np.uint8)
-
-
-def _limit_memory(allowed: int) -> None:
-    """Let this process grow by so many bytes and no further, where the system can see to it."""
-    pages = Path("/proc/self/statm")
-    if pages.exists():
-        resource: Any = importlib.import_module("resource")
-        limit = int(pages.read_text().split()[5]) * resource.getpagesize() + allowed
-        hard = resource.getrlimit(resource.RLIMIT_DATA)[1]
-        resource.setrlimit(resource.RLIMIT_DATA, (limit, hard))
-
-
-def _read(path: str, allowed: int) -> dict[str, Any]:
+def load_library() -> None:
+    """Import USD, which then works in one thread: more would count as memory."""
     os.environ["PXR_WORK_THREAD_LIMIT"] = "1"
-    pxr: dict[str, Any] = {
-        name: importlib.import_module(f"pxr.{name}") for name in ("Tf", "Usd", "UsdGeom", "UsdSkel")
-    }
-    _limit_memory(allowed)
+    for name in MODULES:
+        importlib.import_module(f"pxr.{name}")
+
+
+def read_file(words: list[str], data: bytes, allowed: int) -> Answer:
+    """Return the facts and the arrays of a file.
+
+    Args:
+        words: The path of the file.
+        data: Nothing: the library opens the file itself, and what it references.
+        allowed: How much memory reading it may take [bytes].
+
+    Raises:
+        UnreadableError: If it is damaged.
+    """
+    assert not data
+    try:
+        return _read(words[0], allowed)
+    except UnicodeDecodeError as error:
+        raise UnreadableError("is damaged: it holds a name that is no UTF-8") from error
+
+
+def _read(path: str, allowed: int) -> Answer:
+    pxr: dict[str, Any] = {name: importlib.import_module(f"pxr.{name}") for name in MODULES}
     try:
         stage = pxr["Usd"].Stage.Open(path)
     except pxr["Tf"].ErrorException as error:
         told = " ".join(str(error).split())
         # What comes before is where in the library that was.
         told = told.rsplit(" : '", 1)[-1]
-        raise _UnreadableError(f"is damaged or no USD file: {told[:160]}") from error
+        raise UnreadableError(f"is damaged or no USD file: {told[:160]}") from error
     skeletons = _skeletons(stage, pxr)
     if not skeletons:
-        raise _UnreadableError("holds no skeleton: no Skeleton prim with joints is in it")
+        raise UnreadableError("holds no skeleton: no Skeleton prim with joints is in it")
     times = _times(skeletons, float(stage.GetTimeCodesPerSecond()), allowed)
     nodes = [_nodes(query, times[0], pxr) for query in skeletons]
-    header = _header(
-        fps=times[1],
-        metres_per_unit=float(pxr["UsdGeom"].GetStageMetersPerUnit(stage)),
-        up=str(pxr["UsdGeom"].GetStageUpAxis(stage)).lower(),
-        names=[name for one in nodes for name in one[0]],
-    )
+    facts = {
+        "fps": times[1],
+        "metres_per_unit": float(pxr["UsdGeom"].GetStageMetersPerUnit(stage)),
+        "up": str(pxr["UsdGeom"].GetStageUpAxis(stage)).lower(),
+        "names": [name for one in nodes for name in one[0]],
+    }
     starts = np.cumsum([0, *(len(one[0]) for one in nodes)])[:-1]
     parents = [np.where(one[1] < 0, -1, one[1] + s) for one, s in zip(nodes, starts, strict=True)]
     flags = [np.arange(len(one[0])) > 0 for one in nodes]
-    return {
-        "header": header,
+    return facts, {
         "parents": np.concatenate(parents),
         "joints": np.concatenate(flags),
         "matrices": np.concatenate([one[2] for one in nodes], axis=1),
@@ -117,7 +107,7 @@ def _times(skeletons: list[Any], codes: float, allowed: int) -> tuple[list[float
     A frame is a time code, unless the samples lie evenly at another distance.
     """
     if not 0.0 < codes <= MOST_FRAMES_PER_SECOND:
-        raise _UnreadableError(
+        raise UnreadableError(
             f"has {codes:g} time codes per second; more than 0 and at most "
             f"{MOST_FRAMES_PER_SECOND} are possible"
         )
@@ -136,7 +126,7 @@ def _times(skeletons: list[Any], codes: float, allowed: int) -> tuple[list[float
     span = float(ordered[-1] - ordered[0])
     joints = sum(len(query.GetJointOrder()) + 1 for query in skeletons)
     if not np.isfinite(span) or span / step * joints * 256 > allowed or codes / step > 1e4:
-        raise _UnreadableError(
+        raise UnreadableError(
             f"its animation runs from {ordered[0]:g} to {ordered[-1]:g} in steps of {step:g}, far "
             "more than such a file holds"
         )
@@ -156,7 +146,7 @@ def _nodes(
         placed = pxr["UsdGeom"].XformCache(time).GetLocalToWorldTransform(skeleton.GetPrim())
         local = query.ComputeJointLocalTransforms(time)
         if local is None or len(local) != count:
-            raise _UnreadableError(
+            raise UnreadableError(
                 f"skeleton {skeleton.GetPath()} has {count} joints, but no transform for each; its "
                 "animation or its restTransforms must give them"
             )
@@ -177,7 +167,3 @@ def _names(query: Any, skeleton: Any) -> list[str]:
     if names is not None and len(names) == len(paths):
         return [str(name) for name in names]
     return [path.rsplit("/", 1)[-1] for path in paths]
-
-
-if __name__ == "__main__":
-    main()
