@@ -13,22 +13,36 @@ from typing import Any
 
 import numpy as np
 import numpy.typing as npt
+import pytest
 from tests.io.small_biped import BIPED, biped_clip
+from tests.io.small_fbx import fbx_text
+from tests.io.small_usd import usd_text
 
 from footfall.geometry import from_euler
 from footfall.io import (
     load,
     load_skinned,
     load_supports,
+    save,
     save_amass,
     save_deepmimic,
     save_gltf,
     save_native,
+    save_supports,
 )
 from footfall.io.deepmimic_body import HUMANOID, read_character
 from footfall.io.smpl_bodies import SMPL_PARENTS, SMPL_TREES, approximate_joints
 from footfall.io.smpl_model import model_joints
 from footfall.motion import Clip
+from footfall.robots import (
+    humanoid_mjcf,
+    load_robot,
+    load_robot_motion,
+    our_robot,
+    perform_on_robot,
+    save_robot_motion,
+)
+from footfall.samples import sample
 from footfall.scenario.cue_sheet import load_scenario
 from footfall.skeleton import Skeleton
 from footfall.support import SupportSequence
@@ -125,32 +139,67 @@ FORMS: dict[str, tuple[str, Callable[[Path], object]]] = {
     "model": ("m.npz", lambda path: model_joints(path, "SMPL", np.ones(10))),
     "deepmimic": ("a.txt", load),
     "character": ("c.txt", read_character),
+    "fbx": ("a.fbx", load),
+    "usda": ("a.usda", load),
+    "usdc": ("a.usdc", load),
     "supports": ("a.supports", load_supports),
+    "csv": ("s.csv", load_supports),
+    "parquet": ("s.parquet", load_supports),
+    "mjcf": ("r.xml", load_robot),
+    "robot": ("r.npz", load_robot_motion),
     "scenario": ("a.toml", load_scenario),
 }
 """The name of a file of each form, and its reader."""
 
 
+LIBRARIES = {
+    "fbx": "ufbx", "usda": "pxr", "usdc": "pxr", "parquet": "pyarrow", "mjcf": "mujoco",
+    "robot": "mujoco",
+}  # fmt: skip
+"""What must be installed for a form."""
+
+
 def small_bytes(form: str, folder: Path) -> bytes:
     """Return a small valid file of a form; `folder` is written to on the way."""
+    if form in LIBRARIES:
+        pytest.importorskip(LIBRARIES[form])
     path = folder / f"small_{FORMS[form][0]}"
-    if form == "bvh":
-        return BIPED.encode()
-    if form == "native":
-        save_native(biped_clip(), path, supports=SupportSequence.parse("R.1 D.1 L.1*"))
-    elif form in ("glb", "skin", "gltf"):
-        save_gltf(biped_clip(), path)
-        if form == "gltf":
-            return gltf_bytes(path)
-    elif form == "amass":
-        save_amass(smpl_clip(), path)
-    elif form == "deepmimic":
-        save_deepmimic(humanoid_clip(), path)
-    else:
-        return {
-            "model": model_bytes(),
-            "character": json.dumps(CHARACTER, indent=1).encode(),
-            "supports": b"# by hand\ncyclic\nR 0.383\nD 0.117\nL 0.383\nD 0.117\n",
-            "scenario": SCENARIO.encode(),
-        }[form]
-    return path.read_bytes()
+    if form in WRITERS:
+        WRITERS[form](path)
+        return path.read_bytes()
+    if form == "gltf":
+        save_gltf(biped_clip(), path.with_suffix(".glb"))
+        return gltf_bytes(path.with_suffix(".glb"))
+    return {
+        "bvh": BIPED.encode(),
+        "fbx": fbx_text(biped_clip(frames=4)),
+        "usda": usd_text(biped_clip(frames=4)),
+        "model": model_bytes(),
+        "mjcf": humanoid_mjcf().encode(),
+        "character": json.dumps(CHARACTER, indent=1).encode(),
+        "supports": b"# by hand\ncyclic\nR 0.383\nD 0.117\nL 0.383\nD 0.117\n",
+        "scenario": SCENARIO.encode(),
+    }[form]
+
+
+def _save_moves(path: Path) -> None:
+    robot = our_robot()
+    save_robot_motion(perform_on_robot(robot, *sample("run")), robot, path)
+
+
+LABELS = SupportSequence.parse("R.4 D.1 L.4 D.1*")
+
+WRITERS: dict[str, Callable[[Path], None]] = {
+    "native": lambda path: save_native(
+        biped_clip(), path, supports=SupportSequence.parse("R.1 D.1 L.1*")
+    ),
+    "glb": lambda path: save_gltf(biped_clip(), path),
+    "skin": lambda path: save_gltf(biped_clip(), path),
+    "amass": lambda path: save_amass(smpl_clip(), path),
+    "deepmimic": lambda path: save_deepmimic(humanoid_clip(), path),
+    "usdc": lambda path: save(biped_clip(frames=4), path),
+    "csv": lambda path: save_supports(LABELS, path),
+    "parquet": lambda path: save_supports(LABELS, path),
+    "robot": _save_moves,
+}
+"""What writes a small valid file of a form."""

@@ -58,6 +58,8 @@ def _quaternions(turns: Floats) -> Rotations:
 def matrices_of(rotations: Rotations, positions: Positions, scales: Floats) -> Floats:
     """Return the matrices that first scale, then turn, then move, shape (..., 4, 4).
 
+    What is not finite stays so, without a warning.
+
     Args:
         rotations: Unit quaternions, shape (..., 4).
         positions: Shape (..., 3).
@@ -65,14 +67,15 @@ def matrices_of(rotations: Rotations, positions: Positions, scales: Floats) -> F
     """
     w, x, y, z = (rotations[..., index] for index in range(4))
     matrices = np.zeros((*rotations.shape[:-1], 4, 4))
-    rows = (
-        (1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)),
-        (2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)),
-        (2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)),
-    )
-    for row, values in enumerate(rows):
-        for column, value in enumerate(values):
-            matrices[..., row, column] = value * scales[..., column]
+    with np.errstate(invalid="ignore", over="ignore"):
+        rows = (
+            (1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)),
+            (2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)),
+            (2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)),
+        )
+        for row, values in enumerate(rows):
+            for column, value in enumerate(values):
+                matrices[..., row, column] = value * scales[..., column]
     matrices[..., :3, 3] = positions
     matrices[..., 3, 3] = 1.0
     return matrices

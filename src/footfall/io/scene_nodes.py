@@ -17,6 +17,7 @@ import numpy as np
 from footfall.arrays import Flags, Floats, Indices, Positions, Rotations
 from footfall.errors import FileFormatError
 from footfall.geometry import conjugate, continuous, multiply, rotate
+from footfall.io.bvh_hierarchy import GREATEST
 from footfall.io.bvh_rig import BvhRig
 from footfall.io.rigid_frames import rigid_rotations
 
@@ -49,6 +50,8 @@ class SceneNodes:
 def world_matrices(nodes: SceneNodes, path: Path) -> Floats:
     """Return the matrices from the nodes to the world, shape (frames, nodes, 4, 4).
 
+    Numbers that are not finite spread to what hangs on them, and no further.
+
     Raises:
         FileFormatError: If a node is its own ancestor.
     """
@@ -56,7 +59,8 @@ def world_matrices(nodes: SceneNodes, path: Path) -> Floats:
     for node in _parents_first(nodes.parents, path):
         parent = int(nodes.parents[node])
         if parent >= 0:
-            world[:, node] = world[:, parent] @ nodes.matrices[:, node]
+            with np.errstate(invalid="ignore", over="ignore"):
+                world[:, node] = world[:, parent] @ nodes.matrices[:, node]
     return world
 
 
@@ -127,12 +131,12 @@ def _tops(nodes: SceneNodes, order: list[int]) -> dict[int, int]:
 def _rig(nodes: SceneNodes, joints: list[int], path: Path) -> BvhRig:
     world = world_matrices(nodes, path)[:, joints]
     rotations = rigid_rotations(world[..., :3, :3])
-    if not (np.isfinite(rotations).all() and np.isfinite(world).all()):
-        flaw = ~(np.isfinite(rotations).all(axis=-1) & np.isfinite(world).all(axis=(-1, -2)))
-        frame, joint = (int(index) for index in np.argwhere(flaw)[0])
+    sound = np.isfinite(rotations).all(axis=-1) & (np.abs(world) < GREATEST).all(axis=(-1, -2))
+    if not sound.all():
+        frame, joint = (int(index) for index in np.argwhere(~sound)[0])
         raise FileFormatError(
             f"joint {nodes.names[joints[joint]]!r} has no size or no place in frame {frame}; its "
-            "scale must stay above zero, and its numbers finite",
+            "scale must stay above zero, and its numbers below 1e12",
             path=path,
         )
     rows = {node: row for row, node in enumerate(joints)}

@@ -82,7 +82,9 @@ def read_usd_nodes(path: Path) -> tuple[SceneNodes, dict[str, Any]]:
 def _in_metres(matrices: Floats, tops: Flags, header: dict[str, Any]) -> Floats:
     """Return the matrices with places in metres, and those to the world with y up."""
     matrices = matrices.copy()
-    matrices[..., :3, 3] *= float(header["metres_per_unit"])
-    if header["up"] == "z":
-        matrices[:, tops] = TO_Y_UP @ matrices[:, tops]
+    # What is not finite is told where it matters: in a joint of the body.
+    with np.errstate(invalid="ignore", over="ignore"):
+        matrices[..., :3, 3] *= float(header["metres_per_unit"])
+        if header["up"] == "z":
+            matrices[:, tops] = TO_Y_UP @ matrices[:, tops]
     return matrices
