@@ -37,6 +37,11 @@ def test_a_rounded_frame_time_means_the_usual_rate(text: str, rate: float) -> No
     assert conclude_rate(Decimal(text), None).value == pytest.approx(rate, rel=1e-15)
 
 
+def test_another_rounding_of_one_number_is_another_rate() -> None:
+    rates = [conclude_rate(Decimal(text), None).value for text in ("0.0333", "0.03330")]
+    assert rates == [30.0, 1 / 0.0333]
+
+
 @settings(deadline=None)
 @given(st.floats(1e-5, 1e5))
 def test_a_written_rate_is_read_back_exactly(fps: float) -> None:

@@ -72,7 +72,7 @@ def clip_from_rig(
         rig = depth_first(rig)
         found = legs_or_reason(rest_skeleton(rig))
         folded, root = fold_root(rig, None if isinstance(found, str) else found)
-        anatomy = legs_or_reason(rest_skeleton(folded))
+        anatomy = found if folded is rig else legs_or_reason(rest_skeleton(folded))
         if isinstance(anatomy, str):
             _ask_without_legs(stated, path)
         fixed, bones = fix_bones(folded, None if isinstance(anatomy, str) else anatomy, path)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from decimal import Decimal, localcontext
+from functools import lru_cache
 
 from footfall.errors import ArgumentError
 from footfall.io.conclusions import Conclusion
@@ -42,7 +43,7 @@ def conclude_rate(frame_time: Decimal, fps: float | None) -> Conclusion[float]:
     with localcontext() as context:
         context.prec = 60
         exact = Decimal(1) / frame_time
-        meant = _meant_rates(frame_time)
+        meant = _meant_rates(str(frame_time))
     rate = float(exact)
     reason = f"{rate:.9g} frames per second: the file's frame time is {frame_time.normalize()} s"
     if not rate.is_integer() and len(meant) == 1 and float(meant[0]) != rate:
@@ -59,14 +60,19 @@ def conclude_rate(frame_time: Decimal, fps: float | None) -> Conclusion[float]:
     return Conclusion(rate, reason)
 
 
-def _meant_rates(frame_time: Decimal) -> list[Decimal]:
-    """Return the usual rates that give the digits of the file."""
+@lru_cache(maxsize=256)
+def _meant_rates(digits: str) -> tuple[Decimal, ...]:
+    """Return the usual rates that give the digits of the file.
+
+    By their text, since 0.0333 and 0.03330 are one number and not the same rounding.
+    """
+    frame_time = Decimal(digits)
     whole = (*USUAL_RATES, *range(150, 1001, 10))
     for rates in ([Decimal(rate) for rate in whole], BROADCAST_RATES):
-        meant = [rate for rate in rates if _rounds_to(rate, frame_time)]
+        meant = tuple(rate for rate in rates if _rounds_to(rate, frame_time))
         if meant:
             return meant
-    return []
+    return ()
 
 
 def _rounds_to(rate: Decimal, frame_time: Decimal) -> bool:

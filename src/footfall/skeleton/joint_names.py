@@ -12,6 +12,7 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass
 from enum import Enum
+from functools import lru_cache
 
 from footfall.skeleton.skeleton import Skeleton
 
@@ -76,6 +77,7 @@ def _cut_side(word: str) -> tuple[int | None, str]:
     return None, word
 
 
+@lru_cache(maxsize=4096)
 def read_joint_name(name: str) -> JointName:
     """Return what a joint's name says."""
     side: int | None = None
