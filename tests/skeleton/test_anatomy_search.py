@@ -201,6 +201,37 @@ REFUSED = (
 )
 
 
+FEET_ON_THE_ROOT = """Bone
+  Foot.L .1 .1 0
+  Body 0 .9 0
+    Torso 0 .4 0
+      UpperArm.L .2 0 0
+        LowerArm.L .3 0 0
+          Palm.L .3 0 0
+      UpperArm.R -.2 0 0
+        LowerArm.R -.3 0 0
+          Palm.R -.3 0 0
+    UpperLeg.L .1 0 0
+      LowerLeg.L 0 -.4 0
+    UpperLeg.R -.1 0 0
+      LowerLeg.R 0 -.4 0
+  Foot.R -.1 .1 0
+"""
+"""Shanks that end in the air: the feet are what an animator's legs reach for."""
+
+
+def test_arms_are_not_taken_for_legs() -> None:
+    with pytest.raises(SkeletonError) as refusal:
+        find_anatomy(body(FEET_ON_THE_ROOT))
+    assert str(refusal.value) == (
+        "no legs found: 'Foot.L' is named like a left foot, but no joint above it is named like a "
+        "knee or shank; 'Foot.R' is named like a right foot, but no joint above it is named like a "
+        "knee or shank; no two chains of three joints and equal lengths leave one joint, but for "
+        "what is named like arms; the joints are Bone, Foot.L, Body, Torso, UpperArm.L, "
+        "LowerArm.L, Palm.L, UpperArm.R, LowerArm.R, Palm.R, UpperLeg.L, LowerLeg.L, ..."
+    )
+
+
 @pytest.mark.parametrize(("text", "message"), REFUSED)
 def test_a_body_without_two_legs_is_refused(text: str, message: str) -> None:
     with pytest.raises(SkeletonError) as refusal:

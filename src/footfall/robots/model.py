@@ -145,6 +145,8 @@ def _skeleton(mujoco: Any, model: Any) -> Skeleton:
     mujoco.mj_kinematics(model, data)
     places = to_ours(np.array(data.xpos[1:]))
     parents = np.array(model.body_parentid[1:], dtype=np.int64) - 1
-    offsets = np.where((parents < 0)[:, np.newaxis], 0.0, places - places[parents])
+    # Places beyond all numbers are told by the skeleton.
+    with np.errstate(invalid="ignore", over="ignore"):
+        offsets = np.where((parents < 0)[:, np.newaxis], 0.0, places - places[parents])
     names = tuple(str(model.body(index).name) for index in range(1, model.nbody))
     return Skeleton(names, parents, offsets)

@@ -23,6 +23,8 @@ SHORTEST_BONE = 0.2
 """A bone shorter than this share of its chain's longest is a helper: thigh and shank are within a
 factor of two of each other, hip mounts and twist joints are not."""
 
+ARM_ROLES = (Role.UPPER_ARM, Role.FOREARM, Role.HAND)
+
 GREATEST_DIFFERENCE = 0.3
 """Greatest difference of the two thighs, or shanks, as a share of the longer one. Measured bodies
 differ by 6 %; more than this, and the pair is not one body's."""
@@ -163,15 +165,19 @@ def _mirrored_pair(
 ) -> tuple[LegJoints, LegJoints] | str:
     """Return the pair of equal chains that leaves the body nearest its root, or why none does."""
     candidates: list[tuple[int, float, tuple[int, int, int], tuple[int, int, int]]] = []
+    arms = 0
     for joint in range(skeleton.count):
         chains = [_chain(skeleton, child) for child in skeleton.children(joint)]
-        for one, other in combinations([chain for chain in chains if chain is not None], 2):
+        legs = [chain for chain in chains if chain is not None and not _is_arm(names, chain)]
+        arms += sum(chain is not None for chain in chains) - len(legs)
+        for one, other in combinations(legs, 2):
             if _mismatch(skeleton, LegJoints(*one, ""), LegJoints(*other, "")) is None:
                 depth = len(ancestors(skeleton, joint))
                 length = _distance(skeleton, one[0], one[2])
                 candidates.append((depth, -length, one, other))
     if not candidates:
-        return "no two chains of three joints and equal lengths leave one joint"
+        but = ", but for what is named like arms" if arms else ""
+        return f"no two chains of three joints and equal lengths leave one joint{but}"
     _, _, one, other = min(candidates)
     how = "by being the mirrored pair of chains nearest the root"
     sides = [names[chain[0]].side for chain in (one, other)]
@@ -187,6 +193,12 @@ def _mirrored_pair(
         LegJoints(*left, _reason(skeleton, 0, left, how)),
         LegJoints(*right, _reason(skeleton, 1, right, how)),
     )
+
+
+def _is_arm(names: tuple[JointName, ...], chain: tuple[int, int, int]) -> bool:
+    """Whether a joint of a chain is named like one of an arm: rigs whose feet hang on the root,
+    to be reached for, have no other pair of chains."""
+    return any(names[joint].role in ARM_ROLES for joint in chain)
 
 
 def _chain(skeleton: Skeleton, start: int) -> tuple[int, int, int] | None:
