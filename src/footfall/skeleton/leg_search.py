@@ -196,8 +196,10 @@ def _mirrored_pair(
 
 
 def _is_arm(names: tuple[JointName, ...], chain: tuple[int, int, int]) -> bool:
-    """Whether a joint of a chain is named like one of an arm: rigs whose feet hang on the root,
-    to be reached for, have no other pair of chains."""
+    """Whether a joint of a chain is named like one of an arm.
+
+    Rigs whose feet hang on the root, to be reached for, have no other pair of chains.
+    """
     return any(names[joint].role in ARM_ROLES for joint in chain)
 
 
