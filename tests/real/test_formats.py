@@ -193,6 +193,28 @@ def test_other_readers_find_the_joints_of_a_written_bvh_where_ours_has_them(
     assert stray < TENTH
 
 
+READ = tuple(
+    f"{path.parent.name}/{path.name}"
+    for folder in ("ozz", "mass", "pymo")
+    for path in sorted(FOLDER.glob(f"{folder}/*.bvh.gz"))
+)
+
+
+@pytest.mark.full
+@needs_clips
+@pytest.mark.parametrize("name", READ)
+def test_every_joint_of_a_bvh_is_where_another_reader_has_it(tmp_path: Path, name: str) -> None:
+    plain = tmp_path / "a.bvh"
+    plain.write_bytes(gzip.decompress((FOLDER / name).read_bytes()))
+    clip, conclusions = load_with_conclusions(plain)
+    if conclusions.up.value != "y" or conclusions.bones.value > 0.0:
+        pytest.skip("stands along z, or has joints that move in their parents, which pybvh refuses")
+    read = conclusions.unit.value.metres * by_pybvh(plain, clip)
+    stray = np.linalg.norm(read - clip.world_poses()[1], axis=-1).max()
+    print(f"{name} by pybvh: {stray * 1000.0:.4f} mm")
+    assert stray < TENTH
+
+
 @needs_clips
 @needs_node
 def test_the_khronos_validator_has_nothing_to_say(tmp_path: Path) -> None:
