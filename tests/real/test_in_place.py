@@ -16,7 +16,7 @@ from footfall.samples import sample
 
 
 def travelled(clip: Clip, seconds: float = 4.0) -> tuple[float, float]:
-    """Return how fast a character goes [m/s], and how far a foot that carries slides a frame [m]."""
+    """Return how fast a character goes [m/s], and how far the low foot slides a frame [m]."""
     hero = Character(clip.skeleton)
     hero.add("walk", clip, detect_supports(clip))
     hero.start("walk")

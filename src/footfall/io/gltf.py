@@ -7,28 +7,16 @@ from typing import Any
 
 import numpy as np
 
-from footfall.arrays import Positions
-from footfall.errors import SkeletonError
 from footfall.geometry import continuous
 from footfall.io.atomic import write_atomically
-from footfall.io.flat_toes import flat_toe_turns
+from footfall.io.clip_mannequin import COLORS, clip_mannequin, rest_positions
 from footfall.io.gltf_animation import animation_record
 from footfall.io.gltf_buffers import ARRAY_BUFFER, ELEMENT_ARRAY_BUFFER, BufferBuilder, glb_bytes
-from footfall.io.mannequin import Mannequin, Tone, mannequin
+from footfall.io.mannequin import Mannequin, Tone
 from footfall.motion import Clip
-from footfall.skeleton import Skeleton, find_anatomy
+from footfall.skeleton import Skeleton
 
 __all__ = ["save_gltf"]
-
-# Linear base colors: the right side warm, the left side cool, as in all pictures.
-_COLORS = {
-    Tone.BODY: (0.66, 0.64, 0.60),
-    Tone.FACE: (0.10, 0.11, 0.13),
-    Tone.LEFT: (0.27, 0.47, 0.62),
-    Tone.RIGHT: (0.72, 0.42, 0.21),
-    Tone.LEFT_FOOT: (0.03, 0.17, 0.42),
-    Tone.RIGHT_FOOT: (0.64, 0.15, 0.02),
-}
 
 
 def save_gltf(clip: Clip, path: Path, *, supports: str | None = None) -> None:
@@ -48,7 +36,7 @@ def save_gltf(clip: Clip, path: Path, *, supports: str | None = None) -> None:
     """
     buffers = BufferBuilder()
     skeleton = clip.skeleton
-    surface = _mannequin(clip)
+    surface = clip_mannequin(clip)
     document: dict[str, Any] = {
         "asset": {"version": "2.0", "generator": "footfall"},
         "scene": 0,
@@ -66,15 +54,6 @@ def save_gltf(clip: Clip, path: Path, *, supports: str | None = None) -> None:
     document["accessors"] = buffers.accessors
     document["buffers"] = [{"byteLength": len(buffers.data)}]
     write_atomically(path, glb_bytes(document, buffers.data))
-
-
-def _mannequin(clip: Clip) -> Mannequin:
-    """Return the body's mannequin; plain bones for one without two legs."""
-    try:
-        anatomy = find_anatomy(clip.skeleton)
-    except SkeletonError:
-        return mannequin(clip.skeleton, None)
-    return mannequin(clip.skeleton, anatomy, flat_toe_turns(anatomy, *clip.world_poses()))
 
 
 def _joint_nodes(clip: Clip) -> list[dict[str, Any]]:
@@ -108,26 +87,18 @@ def _material(tone: Tone) -> dict[str, Any]:
     return {
         "name": tone.name.lower(),
         "pbrMetallicRoughness": {
-            "baseColorFactor": [*_COLORS[tone], 1.0],
+            "baseColorFactor": [*COLORS[tone], 1.0],
             "metallicFactor": 0.0,
             "roughnessFactor": 0.75,
         },
     }
 
 
-def _rest_positions(skeleton: Skeleton) -> Positions:
-    positions = np.zeros((skeleton.count, 3))
-    for joint, parent in enumerate(skeleton.parents.tolist()):
-        if parent >= 0:
-            positions[joint] = positions[parent] + skeleton.rest_offsets[joint]
-    return positions
-
-
 def _primitives(
     surface: Mannequin, skeleton: Skeleton, buffers: BufferBuilder
 ) -> list[dict[str, Any]]:
     """Return a primitive a material, each vertex bound to one joint."""
-    places = surface.positions + _rest_positions(skeleton)[surface.joints]
+    places = surface.positions + rest_positions(skeleton)[surface.joints]
     primitives: list[dict[str, Any]] = []
     for material, tone in enumerate(_tones(surface)):
         used, triangles = np.unique(surface.triangles[surface.tones == tone], return_inverse=True)
@@ -154,7 +125,7 @@ def _skin(skeleton: Skeleton, buffers: BufferBuilder) -> dict[str, Any]:
     """Return the skin: its mesh stands in the rest pose, where no joint is turned."""
     inverse = np.tile(np.eye(4), (skeleton.count, 1, 1))
     # glTF stores matrices column by column.
-    inverse[:, 3, :3] = -_rest_positions(skeleton)
+    inverse[:, 3, :3] = -rest_positions(skeleton)
     return {
         "inverseBindMatrices": buffers.add(inverse, "f4"),
         "skeleton": 0,

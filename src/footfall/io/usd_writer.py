@@ -10,26 +10,15 @@ from typing import Any
 import numpy as np
 
 from footfall.arrays import Floats, Positions
-from footfall.errors import SkeletonError
 from footfall.extras import extra_module
 from footfall.geometry import continuous
 from footfall.io.atomic import write_atomically
-from footfall.io.flat_toes import flat_toe_turns
-from footfall.io.mannequin import Mannequin, Tone, mannequin
+from footfall.io.clip_mannequin import COLORS, clip_mannequin, rest_positions
+from footfall.io.mannequin import Tone
 from footfall.motion import Clip
-from footfall.skeleton import Skeleton, find_anatomy
+from footfall.skeleton import Skeleton
 
 __all__ = ["save_usd"]
-
-_COLORS = {
-    Tone.BODY: (0.66, 0.64, 0.60),
-    Tone.FACE: (0.10, 0.11, 0.13),
-    Tone.LEFT: (0.27, 0.47, 0.62),
-    Tone.RIGHT: (0.72, 0.42, 0.21),
-    Tone.LEFT_FOOT: (0.03, 0.17, 0.42),
-    Tone.RIGHT_FOOT: (0.64, 0.15, 0.02),
-}
-"""Linear colors: the right side warm, the left side cool, as in all pictures."""
 
 
 def save_usd(clip: Clip, path: Path) -> None:
@@ -93,14 +82,6 @@ def _paths(skeleton: Skeleton) -> list[str]:
     return paths
 
 
-def _rest_positions(skeleton: Skeleton) -> Positions:
-    positions = np.zeros((skeleton.count, 3))
-    for joint, parent in enumerate(skeleton.parents.tolist()):
-        if parent >= 0:
-            positions[joint] = positions[parent] + skeleton.rest_offsets[joint]
-    return positions
-
-
 def _moves(places: Positions, pxr: Any) -> Any:
     return pxr["Vt"].Matrix4dArray(
         [pxr["Gf"].Matrix4d().SetTranslate(pxr["Gf"].Vec3d(*place)) for place in places.tolist()]
@@ -112,7 +93,7 @@ def _skeleton(stage: Any, skeleton: Skeleton, pxr: Any) -> Any:
     prim = pxr["UsdSkel"].Skeleton.Define(stage, "/Body/Skeleton")
     prim.CreateJointsAttr(_paths(skeleton))
     prim.CreateJointNamesAttr(list(skeleton.names))
-    prim.CreateBindTransformsAttr(_moves(_rest_positions(skeleton), pxr))
+    prim.CreateBindTransformsAttr(_moves(rest_positions(skeleton), pxr))
     prim.CreateRestTransformsAttr(_moves(skeleton.rest_offsets, pxr))
     return prim
 
@@ -132,19 +113,10 @@ def _animation(stage: Any, clip: Clip, pxr: Any) -> Any:
     return prim
 
 
-def _surface(clip: Clip) -> Mannequin:
-    """Return the body's mannequin; plain bones for one without two legs."""
-    try:
-        anatomy = find_anatomy(clip.skeleton)
-    except SkeletonError:
-        return mannequin(clip.skeleton, None)
-    return mannequin(clip.skeleton, anatomy, flat_toe_turns(anatomy, *clip.world_poses()))
-
-
 def _mannequin(stage: Any, clip: Clip, skeleton: Any, pxr: Any) -> None:
     """Define the mesh of the mannequin, each vertex bound to one joint."""
-    surface = _surface(clip)
-    places = surface.positions + _rest_positions(clip.skeleton)[surface.joints]
+    surface = clip_mannequin(clip)
+    places = surface.positions + rest_positions(clip.skeleton)[surface.joints]
     mesh = pxr["UsdGeom"].Mesh.Define(stage, "/Body/Mannequin")
     mesh.CreateSubdivisionSchemeAttr("none")
     mesh.CreatePointsAttr(_vectors(places, pxr))
@@ -175,7 +147,7 @@ def _painted(stage: Any, mesh: Any, tone: Tone, faces: list[int], pxr: Any) -> N
     shader = shade.Shader.Define(stage, f"/Body/Materials/{name}/Surface")
     shader.CreateIdAttr("UsdPreviewSurface")
     color = shader.CreateInput("diffuseColor", sdf.ValueTypeNames.Color3f)
-    color.Set(pxr["Gf"].Vec3f(*_COLORS[tone]))
+    color.Set(pxr["Gf"].Vec3f(*COLORS[tone]))
     shader.CreateInput("roughness", sdf.ValueTypeNames.Float).Set(0.75)
     material.CreateSurfaceOutput().ConnectToSource(shader.ConnectableAPI(), "surface")
     family = pxr["UsdShade"].MaterialBindingAPI.Apply(mesh.GetPrim())

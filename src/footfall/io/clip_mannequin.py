@@ -1,0 +1,42 @@
+"""The mannequin of a clip, as the files that show it have it: its colors and its rest pose."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from footfall.arrays import Positions
+from footfall.errors import SkeletonError
+from footfall.io.flat_toes import flat_toe_turns
+from footfall.io.mannequin import Mannequin, Tone, mannequin
+from footfall.motion import Clip
+from footfall.skeleton import Skeleton, find_anatomy
+
+__all__ = ["COLORS", "clip_mannequin", "rest_positions"]
+
+COLORS = {
+    Tone.BODY: (0.66, 0.64, 0.60),
+    Tone.FACE: (0.10, 0.11, 0.13),
+    Tone.LEFT: (0.27, 0.47, 0.62),
+    Tone.RIGHT: (0.72, 0.42, 0.21),
+    Tone.LEFT_FOOT: (0.03, 0.17, 0.42),
+    Tone.RIGHT_FOOT: (0.64, 0.15, 0.02),
+}
+"""Linear colors: the right side warm, the left side cool, as in all pictures."""
+
+
+def clip_mannequin(clip: Clip) -> Mannequin:
+    """Return the body's mannequin; plain bones for one without two legs."""
+    try:
+        anatomy = find_anatomy(clip.skeleton)
+    except SkeletonError:
+        return mannequin(clip.skeleton, None)
+    return mannequin(clip.skeleton, anatomy, flat_toe_turns(anatomy, *clip.world_poses()))
+
+
+def rest_positions(skeleton: Skeleton) -> Positions:
+    """Return where the joints are when none is turned [m], shape (joints, 3)."""
+    positions = np.zeros((skeleton.count, 3))
+    for joint, parent in enumerate(skeleton.parents.tolist()):
+        if parent >= 0:
+            positions[joint] = positions[parent] + skeleton.rest_offsets[joint]
+    return positions
