@@ -9,6 +9,7 @@ import pytest
 
 from footfall.errors import MissingViewerError
 from footfall.scenario.cue_sheet import Scenario, parse_scenario
+from footfall.scenario.ground_change import GROUND_KINDS, GroundChange, GroundKind
 from footfall.scenario.performance import perform
 from footfall.studio.motion_list import MotionList
 from footfall.studio.stage import PARTS, Stage
@@ -37,6 +38,10 @@ def steer(one: Stage, frames: int = 400) -> None:
             one.set_priority(one.cards[0], dict.fromkeys(PARTS, 2.5))
         if frame == 200:
             one.lift_to(0.3)
+        if frame == 240:
+            one.tilt_to(0.1, -0.05)
+        if frame == 300:
+            one.put("course")
         if frame == 390:
             one.lift_to(-0.1)
 
@@ -52,7 +57,8 @@ def test_a_take_replays_bit_for_bit(tmp_path: Path) -> None:
     steer(mine)
     _, positions, rotations = replayed(mine, tmp_path)
     performer = mine.pair()[0]
-    assert -0.1 < performer.lift < 0.3
+    assert -0.1 < mine.ground.height < 0.3
+    assert performer.ground == mine.ground.ground
     np.testing.assert_array_equal(positions, performer.positions)
     np.testing.assert_array_equal(rotations, performer.rotations)
 
@@ -64,7 +70,7 @@ def test_a_ground_raised_before_the_take_rises_in_it(tmp_path: Path) -> None:
         mine.advance()
     steer(mine, 90)
     scenario, positions, _ = replayed(mine, tmp_path)
-    assert scenario.cues[0].ground == 0.2
+    assert scenario.cues[0].ground == GroundChange(0.2)
     np.testing.assert_array_equal(positions, mine.pair()[0].positions)
 
 
@@ -104,3 +110,52 @@ def test_an_engine_without_viewers_says_so(monkeypatch: pytest.MonkeyPatch) -> N
     monkeypatch.setattr(showing, "entry_points", no_viewers)
     with pytest.raises(MissingViewerError, match=r"no viewer is registered as 'footfall.viewers'"):
         showing.show_character(None)  # pyright: ignore[reportArgumentType]
+
+
+@pytest.mark.parametrize("kind", GROUND_KINDS)
+def test_it_walks_over_whatever_is_put_ahead_of_it(tmp_path: Path, kind: GroundKind) -> None:
+    mine = stage(tmp_path, "walk")
+    mine.start(mine.cards[0])
+    performer = mine.pair()[0]
+    lowest, highest = 0.0, 0.0
+    for frame in range(600):
+        mine.advance()
+        if frame == 60:
+            mine.put(kind)
+        points = performer.foot_points
+        clearances = points[..., 1] - performer.heights(points)
+        lowest = min(lowest, float(clearances.min()))
+        highest = max(highest, float(performer.heights(points).max()) - performer.floor)
+    assert np.isfinite(performer.positions).all()
+    # A foot that rolls over the edge of a step or a plate is in it for a moment.
+    assert lowest > (-0.01 if kind in ("level", "ramp", "hills") else -0.06)
+    assert (highest > 0.06) == (kind != "level")
+    assert performer.slip.total < 0.06
+
+
+def test_the_ground_tilts_about_the_character(tmp_path: Path) -> None:
+    mine = stage(tmp_path, "walk")
+    mine.start(mine.cards[0])
+    for _ in range(300):
+        mine.advance()
+    performer = mine.pair()[0]
+    assert abs(performer.root[1]) > 3.0
+    mine.tilt_to(0.2, 0.0)
+    before = float(performer.heights(performer.positions[0]))
+    mine.advance()
+    assert float(performer.heights(performer.positions[0])) == pytest.approx(before, abs=1e-3)
+    for _ in range(180):
+        mine.advance()
+    assert mine.tilt == pytest.approx((0.2, 0.0), abs=0.01)
+    assert performer.slip.total < 0.06
+
+
+def test_the_ghost_stands_on_the_same_ground(tmp_path: Path) -> None:
+    mine = stage(tmp_path, "walk")
+    mine.put("stairs")
+    mine.tilt_to(0.1, 0.0)
+    mine.start(mine.cards[0])
+    for _ in range(100):
+        mine.advance()
+    performer, ghost = mine.pair()
+    assert ghost.ground == performer.ground

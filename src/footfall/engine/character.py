@@ -163,6 +163,12 @@ class Character:
         """Put the character somewhere: x, z [m] and heading [rad], 0 facing +z."""
         self.crowd.place((x, z), heading)
 
+    @property
+    def root(self) -> tuple[float, float, float]:
+        """Where the character is: x, z [m] and heading [rad], 0 facing +z."""
+        x, z, heading = self.crowd.characters[0]["root"].tolist()
+        return x, z, heading
+
     def raise_ground(self, height: float) -> None:
         """Put the level ground at another height [m]; the character is carried along."""
         self.crowd.raise_ground(height)

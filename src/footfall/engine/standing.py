@@ -19,7 +19,7 @@ class Standing:
     size: int
     _characters: npt.NDArray[Any]
     _ground: AnyGround
-    _packed_ground: Ground
+    _packed_ground: Ground = pack_ground(Plane())
 
     @property
     def ground(self) -> AnyGround:
@@ -28,8 +28,22 @@ class Standing:
 
     @ground.setter
     def ground(self, ground: AnyGround) -> None:
-        self._ground = ground
-        self._packed_ground = pack_ground(ground)
+        self.exchange_ground(ground)
+
+    def exchange_ground(self, ground: AnyGround, *, rise: float = 0.0) -> None:
+        """Let them stand on other ground, or on the same one that is higher everywhere.
+
+        Args:
+            ground: What they stand on from now on.
+            rise: How far it takes those who stand on it with it [m].
+        """
+        packed = pack_ground(ground)
+        if _kinds(packed) != _kinds(self._packed_ground):
+            # The surfaces that feet stood on are gone: they look for others.
+            self._characters["surface"] = -1
+        self._characters["level"][:, 0] += rise
+        self._characters["ground_below"] += rise
+        self._ground, self._packed_ground = ground, packed
 
     def raise_ground(self, height: float) -> None:
         """Put level ground at another height [m]; who stands on level ground is carried along.
@@ -37,12 +51,9 @@ class Standing:
         Raises:
             ArgumentError: If the height is not finite.
         """
-        ground = Plane(height)
-        if isinstance(self._ground, Plane):
-            rise = height - self._ground.height
-            self._characters["level"][:, 0] += rise
-            self._characters["ground_below"] += rise
-        self.ground = ground
+        known = self._ground
+        rise = height - known.height if isinstance(known, Plane) else 0.0
+        self.exchange_ground(Plane(height), rise=rise)
 
     def place(
         self, position: npt.ArrayLike, heading: npt.ArrayLike = 0.0, rows: Rows = None
@@ -58,3 +69,8 @@ class Standing:
             ArgumentError: If a row does not exist or a number is not finite.
         """
         place_characters(self._characters, check_rows(rows, self.size), position, heading)
+
+
+def _kinds(ground: Ground) -> list[int]:
+    surfaces: Any = ground.surfaces
+    return surfaces["kind"].tolist()

@@ -14,6 +14,13 @@ from typing import Any, Literal, cast
 
 from footfall.errors import FileFormatError, FootfallError, ScenarioError
 from footfall.scenario.cue_sheet_fields import Fields
+from footfall.scenario.ground_change import (
+    GROUND_KINDS,
+    HIGHEST,
+    STEEPEST,
+    GroundChange,
+    GroundKind,
+)
 from footfall.sync.tables import Planner
 
 __all__ = ["ActionEntry", "Cue", "Scenario", "load_scenario", "parse_scenario"]
@@ -23,8 +30,8 @@ Priority = float | Mapping[str, float]
 LONGEST = 3600.0
 """Greatest duration of a scenario [s]."""
 
-HIGHEST = 10.0
-"""How far the ground may rise or sink [m]."""
+LEVEL = GroundChange()
+"""The ground as it is at first."""
 
 FASTEST = 1000.0
 """Greatest frame rate."""
@@ -81,8 +88,8 @@ class Cue:
     priority: Priority | None = None
     """The new priority, where it is one."""
 
-    ground: float = 0.0
-    """How high the ground is to be over where it was at first, where it is about it [m]."""
+    ground: GroundChange = LEVEL
+    """How the ground is to be, where it is about it."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -213,8 +220,22 @@ def _cues(fields: Fields, names: list[str], duration: float) -> list[Cue]:
             for name in changes.names
         ]
     if commands[0] == "ground":
-        height = fields.number("ground", least=-HIGHEST, most=HIGHEST, default=None)
-        return [Cue(at, "ground", ground=height)]
+        return [Cue(at, "ground", ground=_ground(fields))]
     kind = cast(Literal["start", "stop"], commands[0])
     action = fields.choice(kind, tuple(names))
     return [Cue(at, kind, action)]
+
+
+def _ground(fields: Fields) -> GroundChange:
+    """Return what a cue asks of the ground: a height [m] alone, or a table."""
+    if not fields.is_table("ground"):
+        height = fields.number("ground", least=-HIGHEST, most=HIGHEST, default=None)
+        return GroundChange(height)
+    asked = fields.table("ground")
+    asked.know("height", "slope", "kind")
+    kind = asked.choice("kind", GROUND_KINDS)
+    return GroundChange(
+        height=asked.number("height", least=-HIGHEST, most=HIGHEST, default=0.0),
+        slope=asked.pair("slope", most=STEEPEST),
+        kind=cast(GroundKind, kind),
+    )

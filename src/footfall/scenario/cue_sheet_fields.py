@@ -163,6 +163,24 @@ class Fields:
             )
         return float(times[0]), float(times[1])
 
+    def pair(self, key: str, *, most: float) -> tuple[float, float]:
+        """Return two numbers, each from -`most` to `most`; zeros where they are missing.
+
+        Raises:
+            ScenarioError: If they are not.
+        """
+        value: Any = self._table.get(key, [0.0, 0.0])
+        numbers = cast(list[Any], value) if isinstance(value, list) else []
+        if len(numbers) != 2 or not all(_is_number(one) and abs(one) <= most for one in numbers):
+            raise ScenarioError(
+                f"{self.label(key)} is {value!r}; it must be two numbers from {-most:g} to {most:g}"
+            )
+        return float(numbers[0]), float(numbers[1])
+
+    def is_table(self, key: str) -> bool:
+        """Whether a key has a table of its own."""
+        return isinstance(self._table.get(key), dict)
+
     def table(self, key: str) -> Fields:
         """Return a table with at least one key.
 

@@ -7,6 +7,7 @@ from itertools import groupby
 
 import numpy as np
 
+from footfall.adaptation import AnyGround
 from footfall.arrays import Floats, Supports, frozen
 from footfall.engine.recording import Recording
 from footfall.errors import FootfallError, ScenarioError
@@ -56,7 +57,10 @@ class Performance:
     """Height of the ground at first [m]."""
 
     lifts: Floats
-    """How far it has risen since, shape (frames,) [m]."""
+    """How far it has risen since, tilting apart, shape (frames,) [m]."""
+
+    grounds: tuple[AnyGround, ...]
+    """What the character stood on in each frame."""
 
 
 def load_motions(scenario: Scenario) -> tuple[Motion, ...]:
@@ -107,9 +111,19 @@ def perform(
     except FootfallError as error:
         raise ScenarioError(f"{scenario.path}: {error}") from error
     supports = recording.supports if synchronized else _heaviest(recording, motions)
-    anatomy = with_soles(find_anatomy(character.skeleton), *motions[0].clip.world_poses())
-    lifts = frozen(stage.lifts)
-    return Performance(scenario, recording, supports, starts, motions, anatomy, ground, lifts)
+    shown = character.library.actions[0].clip
+    anatomy = with_soles(find_anatomy(character.skeleton), *shown.world_poses())
+    return Performance(
+        scenario=scenario,
+        recording=recording,
+        supports=supports,
+        starts=starts,
+        motions=motions,
+        anatomy=anatomy,
+        ground=ground,
+        lifts=frozen(stage.lifts),
+        grounds=tuple(stage.grounds),
+    )
 
 
 def support_text(supports: Supports) -> str:

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from footfall.adaptation import AnyGround
 from footfall.engine import Character, Waiting
 from footfall.engine.recording import Recorder, Recording
 from footfall.scenario.cue_sheet import Cue, Scenario
-from footfall.scenario.ground_lift import GroundLift
+from footfall.scenario.moving_ground import MovingGround
 
 __all__ = ["Play", "StartCue"]
 
@@ -46,8 +47,9 @@ class Play:
 
     def __init__(self, character: Character, scenario: Scenario, ground: float) -> None:
         self.character = character
-        self.ground, self.lift = ground, GroundLift()
+        self.ground = MovingGround(ground)
         self.lifts: list[float] = []
+        self.grounds: list[AnyGround] = []
         self.scenario = scenario
         self.clock = 0.0
         self.starts: list[StartCue] = []
@@ -61,14 +63,15 @@ class Play:
         for frame in range(int(self.scenario.duration * fps + 1e-6) + 1):
             time = frame / fps
             # A cue moves the ground from the next frame on, as it does where a hand gives it.
-            if frame > 0 and self.lift.advance(1.0 / fps):
-                self.character.raise_ground(self.ground + self.lift.height)
+            if frame > 0 and self.ground.advance(1.0 / fps, self.character.root):
+                self._exchange_ground()
             while cues and cues[0].at <= time + _SAME:
                 cue = cues.pop(0)
                 self._advance(cue.at)
                 self._command(cue)
             self._advance(time)
-            self.lifts.append(self.lift.height)
+            self.lifts.append(self.ground.height)
+            self.grounds.append(self.character.crowd.ground)
             if frame == 0:
                 self.character.advance(0.0)
             recorder.keep()
@@ -83,12 +86,15 @@ class Play:
             start = self.starts[index]
             self.starts[index] = StartCue(action, start.commanded, self.clock, start.reason)
 
+    def _exchange_ground(self) -> None:
+        self.character.crowd.exchange_ground(self.ground.ground, rise=self.ground.rise)
+
     def _command(self, cue: Cue) -> None:
         if cue.kind == "stop":
             self.waiting.pop(cue.action, None)
             self.character.stop(cue.action)
         elif cue.kind == "ground":
-            self.lift.asked = cue.ground
+            self.ground.ask(cue.ground, self.character.root)
         elif cue.kind == "priority":
             assert cue.priority is not None
             self.character.set_priority(cue.action, cue.priority)

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from footfall.adaptation import Plane
 from footfall.engine import Character, MotionLibrary
-from footfall.motion import extract_root_path
+from footfall.motion import Clip, extract_root_path
 from footfall.scenario.cue_sheet import ActionEntry, Scenario
 from footfall.scenario.motions import Motion, body_of
 from footfall.skeleton import Skeleton, find_anatomy
@@ -22,6 +24,7 @@ def prepare_character(
     planner: Planner | None = None,
     synchronized: bool = True,
     footprints: bool = True,
+    clips: Sequence[Clip] | None = None,
 ) -> tuple[Character, float]:
     """Return a character as `perform` begins with it, and the height of its ground [m].
 
@@ -33,6 +36,8 @@ def prepare_character(
         planner: Instead of the scenario's.
         synchronized: Whether supports are synchronized at all.
         footprints: Whether planted feet are held where they came down.
+        clips: The motions as the body performs them, as the library of a character made them
+            before; by default it makes them.
     """
     ground = _floor(motions[leading])
     character = Character(
@@ -42,8 +47,9 @@ def prepare_character(
         synchronized=synchronized,
         footprints=footprints,
     )
-    for entry, motion in zip(scenario.actions, motions, strict=True):
-        add_action(character, entry, motion)
+    made = clips or [motion.clip for motion in motions]
+    for entry, motion, clip in zip(scenario.actions, motions, made, strict=True):
+        add_action(character, entry, Motion(clip, motion.supports))
     _place(character, motions[leading])
     return character, ground
 

@@ -4,13 +4,34 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from pathlib import Path
 
 import numpy as np
 
+from footfall.io import SkinnedBody, load_skinned
 from footfall.motion import Clip
+from footfall.scenario.ground_change import GROUND_KINDS
 from footfall.skeleton import Skeleton, find_anatomy, leg_length
 
-__all__ = ["GROUNDS", "Body", "Ground", "bodies_of", "standing_clip"]
+__all__ = [
+    "GROUNDS",
+    "HIGHEST",
+    "LOWEST",
+    "STEEPEST",
+    "Body",
+    "bodies_of",
+    "body_from_file",
+    "standing_clip",
+]
+
+GROUNDS = GROUND_KINDS
+"""What can be put on the plane."""
+
+LOWEST, HIGHEST = -0.5, 0.5
+"""How far the ground can be sunk and raised [m]."""
+
+STEEPEST = 0.25
+"""How far it can be tilted, rise per meter."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -23,23 +44,9 @@ class Body:
     skeleton: Skeleton | None
     """The body; None: that of the first motion."""
 
+    skin: SkinnedBody | None = None
+    """Its skin; None: it is drawn as a mannequin."""
 
-@dataclass(frozen=True, slots=True)
-class Ground:
-    """A ground that can be stood on."""
-
-    name: str
-    """What the chooser calls it."""
-
-    least: float
-    """The lowest it can be put [m]."""
-
-    greatest: float
-    """The highest [m]."""
-
-
-GROUNDS = (Ground("level", -0.5, 0.5),)
-"""What the engine can stand on."""
 
 SIZES = (("child", 0.72, 1.0), ("tall", 1.14, 1.0), ("long legs", 1.0, 1.18))
 """Name, factor of every bone, and factor of the legs beside it."""
@@ -52,6 +59,16 @@ def bodies_of(skeletons: Sequence[Skeleton]) -> tuple[Body, ...]:
     own = [Body("own", None)]
     own += [Body(f"own {number}", other) for number, other in enumerate(skeletons[1:], start=2)]
     return (*own, *(Body(name, _sized(skeletons[0], all_, legs)) for name, all_, legs in SIZES))
+
+
+def body_from_file(path: Path, name: str) -> Body:
+    """Return the character of a .glb or .gltf file, in its skin.
+
+    Raises:
+        FileFormatError: If the file cannot be read, or has no skin.
+    """
+    skin = load_skinned(path)
+    return Body(name, skin.skeleton, skin)
 
 
 def _sized(skeleton: Skeleton, factor: float, legs: float) -> Skeleton:

@@ -7,9 +7,11 @@ import time
 
 import numpy as np
 
+from footfall.adaptation import Plane
 from footfall.arrays import Positions, Rotations
 from footfall.skeleton import find_anatomy
 from footfall.studio.crowd_stage import RATE
+from footfall.studio.editor import SupportEditor
 from footfall.studio.figure import between
 from footfall.studio.performer import Performer
 from footfall.studio.replay import due_cues, obey_cue
@@ -24,6 +26,12 @@ FRAME = 1.0 / 60.0
 
 MOST_BEHIND = 0.25
 """How much time is made up for where the machine could not keep step [s]."""
+
+LEVEL = np.array([1.0, 0.0, 1.0])
+"""Keeps x and z."""
+
+FIELD = Plane()
+"""What a crowd stands on."""
 
 Pose = tuple[Positions, Rotations]
 
@@ -41,6 +49,7 @@ class StudioClock:
         self._drawn_body = self._drawn_crowd = -1
         self._looked = "stage"
         self._before: dict[int, Pose] = {}
+        self._clip_floor: tuple[SupportEditor, Plane] | None = None
         self._clip_poses: tuple[object, Positions, Rotations] | None = None
         self.late = 0
         """How many pictures came more than a frame too late."""
@@ -109,8 +118,7 @@ class StudioClock:
             stage.advance()
             self._replay()
             if stage.begun:
-                planted = (performer.support.left, performer.support.right)
-                scene.print_feet(performer.foot_points, planted, performer.ground)
+                scene.print_feet(performer)
         if session.script and not stage.begun:
             self._replay()
         performer, ghost = stage.pair()
@@ -119,7 +127,8 @@ class StudioClock:
             scene.pose_body(*self._pose(performer), planted)
             if session.ghost:
                 scene.pose_ghost(*self._pose(ghost))
-            scene.follow(performer.positions[0], performer.ground, passed)
+            scene.follow(self._below(performer), passed)
+            scene.show_ground(performer.ground, performer.clock)
             scene.show_only(ghost=session.ghost, prints=True, crowd=False)
         if self._ticks % 2 == 0:
             session.tell(tick_json(stage))
@@ -143,14 +152,27 @@ class StudioClock:
         positions = between(before[0], performer.positions, share)
         return positions, between(before[1], performer.rotations, share)
 
+    def _below(self, performer: Performer) -> Positions:
+        """Return what is looked at: the ground where the body is, were there no steps in it."""
+        place = performer.positions[0]
+        floor = performer.floor + self._session.stage.ground.height
+        return np.array([place[0], float(performer.heights(place)) - floor, place[2]])
+
+    def _floor(self, editor: SupportEditor) -> Plane:
+        """Return the ground of the clip that is edited, the same one as long as it is."""
+        if self._clip_floor is None or self._clip_floor[0] is not editor:
+            height = float(np.percentile(editor.opinion.ground, 5.0))
+            self._clip_floor = (editor, Plane(height))
+        return self._clip_floor[1]
+
     def _draw_body(self, performer: Performer) -> None:
         if self._drawn_body == self._session.body_count:
             return
         self._drawn_body = self._session.body_count
         self._before = {}
         self._owed = 0.0
-        self._scene.show_body(performer.skeleton, performer.anatomy)
-        self._scene.follow(performer.positions[0], performer.ground, 0.0, at_once=True)
+        self._scene.show_body(performer.skeleton, performer.anatomy, self._session.skin)
+        self._scene.follow(self._below(performer), 0.0, at_once=True)
 
     def _supports(self, passed: float) -> None:
         session, scene, editor = self._session, self._scene, self._session.editor
@@ -164,7 +186,7 @@ class StudioClock:
         if self._drawn_body != session.body_count:
             self._drawn_body = session.body_count
             scene.show_body(clip.skeleton, find_anatomy(clip.skeleton))
-            scene.follow(positions[0, 0], 0.0, 0.0, at_once=True)
+            scene.follow(positions[0, 0] * LEVEL, 0.0, at_once=True)
         if session.clip_plays and not session.paused:
             session.clip_time += passed * session.speed
             if session.clip_time > clip.duration:
@@ -175,14 +197,14 @@ class StudioClock:
         share = place - frame
         support = editor.sequence.support_at(session.clip_time)
         pose = between(positions[frame], positions[after], share)
-        floor = float(np.percentile(editor.opinion.ground, 5.0))
         with scene.atomic():
             scene.pose_body(
                 pose,
                 between(rotations[frame], rotations[after], share),
                 (support.left, support.right),
             )
-            scene.follow(pose[0], floor, passed)
+            scene.follow(pose[0] * LEVEL, passed)
+            scene.show_ground(self._floor(editor), 0.0)
             scene.show_only(ghost=False, prints=False, crowd=False)
         if self._ticks % 2 == 0:
             session.tell({"kind": "clock", "time": round(session.clip_time, 4)})
@@ -194,7 +216,7 @@ class StudioClock:
         if self._drawn_crowd != session.crowd_count:
             self._drawn_crowd = session.crowd_count
             scene.show_crowd(crowd.skeleton, crowd.anatomy, crowd.size)
-            scene.follow(np.zeros(3), 0.0, 0.0, at_once=True)
+            scene.follow(np.zeros(3), 0.0, at_once=True)
         frames = self._frames(passed, RATE)
         for _ in range(frames):
             crowd.advance()
@@ -205,7 +227,8 @@ class StudioClock:
             scene.pose_crowd(crowd.positions, crowd.rotations, crowd.shifts())
             if crowd.frame % 6 < max(frames, 1) and scene.crowd is not None:
                 scene.crowd.paint(crowd.colors(shares))
-            scene.follow(np.zeros(3), 0.0, passed)
+            scene.follow(np.zeros(3), passed)
+            scene.show_ground(FIELD, 0.0)
             scene.show_only(ghost=False, prints=False, crowd=True)
         if crowd.frame % 3 < max(frames, 1):
             session.tell({"kind": "herd", "frame": crowd.frame, "shares": crowd.table(shares)})

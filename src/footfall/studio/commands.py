@@ -6,7 +6,7 @@ from collections.abc import Callable
 from typing import Any
 
 from footfall.errors import ArgumentError, FootfallError
-from footfall.studio.bodies import GROUNDS
+from footfall.studio.bodies import GROUNDS, HIGHEST, LOWEST, STEEPEST
 from footfall.studio.crowd_stage import GROUP_NAMES
 from footfall.studio.editor import SupportEditor
 from footfall.studio.exports import export
@@ -86,7 +86,20 @@ def _fades(session: Session, said: Said) -> None:
 
 
 def _lift(session: Session, said: Said) -> None:
-    session.stage.lift_to(said.number("value", GROUNDS[0].least, GROUNDS[0].greatest))
+    session.stage.lift_to(said.number("value", LOWEST, HIGHEST))
+
+
+def _tilt(session: Session, said: Said) -> None:
+    ahead, aside = (said.number(key, -STEEPEST, STEEPEST) for key in ("ahead", "aside"))
+    session.tilt = (ahead, aside)
+    session.stage.tilt_to(ahead, aside)
+
+
+def _ground(session: Session, said: Said) -> None:
+    name = said.text("name")
+    if name not in GROUNDS:
+        raise ArgumentError(f"no ground {name!r}; there are: {', '.join(GROUNDS)}")
+    session.stage.put(GROUNDS[GROUNDS.index(name)])
 
 
 def _thresholds(session: Session, said: Said) -> None:
@@ -161,6 +174,8 @@ COMMANDS: dict[str, Command] = {
     "speed": _speed,
     "restart": lambda session, _: session.restart(),
     "lift": _lift,
+    "tilt": _tilt,
+    "ground": _ground,
     "body": lambda session, said: session.choose_body(said.text("name")),
     "load": lambda session, said: load_from_page(session, said.text("file")),
     "load-all": lambda session, _: load(session, session.folder.motions()),

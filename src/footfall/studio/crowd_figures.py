@@ -10,7 +10,7 @@ from footfall.geometry import multiply, rotate
 from footfall.io.lofts import Loft, loft_surface
 from footfall.skeleton import Anatomy, BodyPart, Skeleton
 
-__all__ = ["CrowdFigures", "capsule_limbs"]
+__all__ = ["CrowdFigures", "capsule_limbs", "from_vertical"]
 
 MOST_LIMBS = 15
 """Capsules a body, beside that of its head."""
@@ -51,7 +51,7 @@ class CrowdFigures:
         self._joints, ends = capsule_limbs(skeleton, anatomy)
         self._middles = 0.5 * ends
         lengths = np.linalg.norm(ends, axis=-1)
-        self._aligned = _from_vertical(ends / lengths[:, np.newaxis])
+        self._aligned = from_vertical(ends / lengths[:, np.newaxis])
         girths = np.clip(0.24 * lengths, 0.04, 0.085) * _stoutness(self._joints, anatomy)
         scales = np.stack([girths, 0.5 * lengths + 0.35 * girths, girths], axis=-1)
         head = self._joints == anatomy.head
@@ -113,7 +113,7 @@ def _unit_capsule() -> Loft:
     return Loft(centers, across, over, np.repeat(radii[:, np.newaxis], 3, axis=1))
 
 
-def _from_vertical(directions: Positions) -> Rotations:
+def from_vertical(directions: Positions) -> Rotations:
     """Return the shortest rotations that take +y to unit directions, shape (n, 3)."""
     axis = np.cross(np.array([0.0, 1.0, 0.0]), directions)
     turned = np.concatenate([1.0 + directions[:, 1:2], axis], axis=-1)

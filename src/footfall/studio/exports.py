@@ -10,7 +10,14 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from footfall.errors import ArgumentError, FileFormatError
-from footfall.io import save, save_gltf, save_native, save_supports
+from footfall.io import (
+    SkinnedBody,
+    save,
+    save_gltf,
+    save_native,
+    save_skinned,
+    save_supports,
+)
 from footfall.scenario.cue_sheet import Scenario, parse_scenario
 from footfall.scenario.motions import SAMPLE, Motion, supports_path
 from footfall.scenario.performance import Performance, perform, played_supports, support_text
@@ -58,7 +65,7 @@ def export(session: Session, form: str, name: str) -> None:
         return
     if not session.stage.begun:
         raise ArgumentError("nothing has been started in this take yet; start an action first")
-    scenario, body = session.stage.scenario(), session.stage.body
+    scenario, body, skin = session.stage.scenario(), session.stage.body, session.skin
     motions = session.stage.motions
 
     def work(job: Job) -> None:
@@ -68,7 +75,7 @@ def export(session: Session, form: str, name: str) -> None:
             save_native(standing_clip(body), carrier)
             sheet = replace(sheet, body=carrier.name)
         _keep_motions(session.folder, scenario, motions)
-        _save(session, form, path, sheet, job)
+        _save(session, form, path, sheet, skin, job)
         session.notice(f"saved {path.name}", "saved")
         session.tell({"kind": "changed"})
 
@@ -82,7 +89,14 @@ def _keep_motions(folder: WorkFolder, scenario: Scenario, motions: tuple[Motion,
             save_native(motion.clip, folder.place(entry.motion), supports=motion.supports)
 
 
-def _save(session: Session, form: str, path: Path, scenario: Scenario, job: Job) -> None:
+def _save(
+    session: Session,
+    form: str,
+    path: Path,
+    scenario: Scenario,
+    skin: SkinnedBody | None,
+    job: Job,
+) -> None:
     text = scenario_text(scenario)
     if form == "scenario":
         session.folder.write(path.name, text.encode())
@@ -100,14 +114,18 @@ def _save(session: Session, form: str, path: Path, scenario: Scenario, job: Job)
         return
     performance = perform(scenario)
     job.report(0.7, "writing")
-    _save_motion(session.folder, performance, path)
+    _save_motion(session.folder, performance, path, skin)
 
 
-def _save_motion(folder: WorkFolder, performance: Performance, path: Path) -> None:
+def _save_motion(
+    folder: WorkFolder, performance: Performance, path: Path, skin: SkinnedBody | None
+) -> None:
     clip = performance.recording.to_clip(path.stem)
     supports = played_supports(performance)
     beside = folder.place(supports_path(path).name)
-    if path.suffix == ".glb":
+    if path.suffix == ".glb" and skin is not None:
+        save_skinned(skin, [clip], path, supports=[support_text(performance.supports)])
+    elif path.suffix == ".glb":
         save_gltf(clip, path, supports=support_text(performance.supports))
     else:
         save(clip, path)

@@ -26,7 +26,7 @@ COLORS = {
 PLANTED = {Tone.LEFT_FOOT: (59, 143, 208), Tone.RIGHT_FOOT: (230, 145, 42)}
 """Feet that are commanded to carry, in the colors of their supports."""
 
-GHOST = (198, 205, 214)
+GHOST = (232, 237, 243)
 
 
 @dataclass(eq=False)

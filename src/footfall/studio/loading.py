@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
-from footfall.errors import ArgumentError, FootfallError
+from footfall.errors import ArgumentError, FootfallError, ScenarioError
 from footfall.scenario.motions import SAMPLE
 from footfall.studio.jobs import Job
+from footfall.studio.motion_list import LoadedMotion, MotionList
 from footfall.studio.session import Session
 
 __all__ = ["OPTIONS", "load", "load_from_page", "set_option"]
@@ -25,6 +26,7 @@ def load(session: Session, files: Sequence[str | Path]) -> None:
             job.report(number / len(files), str(file))
             try:
                 loaded = session.motions.resolve(file)
+                _fit(session, loaded)
                 job.report((number + 1) / len(files), str(file))
             except FootfallError as error:
                 session.notice(str(error), "error")
@@ -59,9 +61,22 @@ def set_option(session: Session, name: str, option: str, on: bool) -> None:
         job.report(0.1)
         # Supports that were corrected by hand belong to the motion as it was.
         loaded = session.motions.reload(name, **{option: on, "supports": None})
+        _fit(session, loaded)
         job.report(1.0)
         with session.lock:
             session.motions.keep(loaded)
             session.motions_changed()
 
     session.jobs.begin(f"reading {name} again", work)
+
+
+def _fit(session: Session, loaded: LoadedMotion) -> None:
+    """Make what the body performs of a motion now, so that the live session need not wait."""
+    with session.lock:
+        others = MotionList(session.folder, session.motions)
+        others.body = session.motions.body
+    try:
+        others.prepare(loaded)
+    except ScenarioError as error:
+        # It can still be looked at, and its supports edited.
+        session.notice(str(error), "error")

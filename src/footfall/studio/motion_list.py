@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
 
 from footfall.errors import FootfallError, ScenarioError
+from footfall.motion import Clip
 from footfall.scenario.cue_sheet import ActionEntry, Scenario
 from footfall.scenario.motions import SAMPLE, Motion, resolve_motion, supports_path
 from footfall.skeleton import Skeleton
+from footfall.studio.fitting import Fitting
 from footfall.studio.work_folder import WorkFolder, check_size
 
 __all__ = ["DEFAULT_SAMPLES", "LoadedMotion", "MotionList"]
@@ -49,30 +52,71 @@ class LoadedMotion:
 class MotionList:
     """Motions in the order in which they were loaded."""
 
-    def __init__(self, folder: WorkFolder) -> None:
-        """Begin without motions."""
+    def __init__(self, folder: WorkFolder, like: MotionList | None = None) -> None:
+        """Begin without motions, or with those of another list, and with what it remembers."""
         self.folder = folder
-        self.motions: list[LoadedMotion] = []
+        self.motions: list[LoadedMotion] = [] if like is None else list(like.motions)
+        self.body: Skeleton | None = None
+        """Who performs; None: the body of the first motion."""
+        self._fitting = Fitting() if like is None else like._fitting
 
     def find(self, name: str) -> LoadedMotion | None:
         """Return a motion by its name, or None."""
         return next((motion for motion in self.motions if motion.name == name), None)
 
     @property
+    def performed(self) -> list[tuple[LoadedMotion, Clip]]:
+        """The motions that the body can perform, and as it performs them."""
+        return self.fit_all(lambda _: None)
+
+    def fit_all(self, begin: Callable[[LoadedMotion], None]) -> list[tuple[LoadedMotion, Clip]]:
+        """Return `performed`, and say each motion before it is fitted."""
+        found: list[tuple[LoadedMotion, Clip]] = []
+        for one in self.motions:
+            begin(one)
+            made = self.fit(one, found[0][1] if found else None)
+            if not isinstance(made, str):
+                found.append((one, made))
+        return found
+
+    @property
     def family(self) -> list[LoadedMotion]:
-        """The motions that mix with the first one."""
-        if not self.motions:
-            return []
-        first = self.motions[0].motion.clip.skeleton
-        return [one for one in self.motions if one.motion.clip.skeleton.same_family(first)]
+        """The motions that the body can perform."""
+        return [one for one, _ in self.performed]
+
+    def fit(self, loaded: LoadedMotion, shown: Clip | None = None) -> Clip | str:
+        """Return a motion as the body performs it, or why it cannot.
+
+        What has been made is remembered: prepared beside the live session it costs nothing later.
+
+        Args:
+            loaded: The motion.
+            shown: As the body performs the first motion, if this is not the first one.
+        """
+        body = self.body
+        if body is None:
+            first = self.motions[0] if self.motions else loaded
+            body = first.motion.clip.skeleton
+        return self._fitting.clip(loaded.motion, body, shown)
+
+    def prepare(self, loaded: LoadedMotion) -> None:
+        """Fit a motion that is not in the list yet.
+
+        Raises:
+            ScenarioError: If the body cannot perform it.
+        """
+        performed = self.performed
+        made = self.fit(loaded, performed[0][1] if performed else None)
+        if isinstance(made, str):
+            raise ScenarioError(f"{loaded.name} cannot be performed by this body: {made}")
 
     @property
     def skeletons(self) -> list[Skeleton]:
-        """The bodies of `family`, each once."""
+        """The bodies of the motions, each once."""
         found: list[Skeleton] = []
-        for one in self.family:
+        for one in self.motions:
             skeleton = one.motion.clip.skeleton
-            if not any(np.allclose(skeleton.rest_offsets, other.rest_offsets) for other in found):
+            if not any(_same_body(skeleton, other) for other in found):
                 found.append(skeleton)
         return found
 
@@ -154,3 +198,8 @@ class MotionList:
                 self.motions[index] = loaded
                 return
         self.motions.append(loaded)
+
+
+def _same_body(one: Skeleton, other: Skeleton) -> bool:
+    same = one.same_family(other) and one.names == other.names
+    return same and np.allclose(one.rest_offsets, other.rest_offsets)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from footfall.studio.bodies import GROUNDS, bodies_of
+from footfall.studio.bodies import GROUNDS, HIGHEST, LOWEST, STEEPEST, bodies_of
 from footfall.studio.crowd_stage import GROUP_NAMES
 from footfall.studio.session import Session
 from footfall.studio.telling import card_json, clip_json, edit_json
@@ -59,10 +59,21 @@ def state_json(session: Session) -> Json:
             }
             for one in session.motions.motions
         ],
-        "bodies": [body.name for body in bodies_of(session.motions.skeletons)],
+        "bodies": [*_body_names(session), *session.folder.bodies()],
         "body": session.body,
-        "grounds": [{"name": g.name, "least": g.least, "greatest": g.greatest} for g in GROUNDS],
-        "lift": session.stage.lift.asked,
+        "grounds": list(GROUNDS),
+        "ground": session.stage.asked.kind,
+        "lift": session.stage.asked.height,
+        "lifts": [LOWEST, HIGHEST],
+        "tilt": list(session.tilt),
+        "tilts": [-STEEPEST, STEEPEST],
         "editing": None if session.editor is None else session.editor.name,
         "groups": list(GROUP_NAMES),
     }
+
+
+def _body_names(session: Session) -> list[str]:
+    """Return the bodies that need no file; that of a scenario only as long as it performs."""
+    names = [body.name for body in bodies_of(session.motions.skeletons)]
+    known = session.body in names or session.skin is not None
+    return names if known or not names else [*names, session.body]

@@ -7,69 +7,29 @@ hand comes out of the scenario file bit for bit.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 
+from footfall.adaptation import AnyGround, ground_heights
 from footfall.arrays import Floats, Positions, Rotations
 from footfall.engine import Waiting
 from footfall.engine.inspection import ActionState, PlannedSlot, action_states, planned_slots
 from footfall.geometry import rotate
-from footfall.motion import with_soles
-from footfall.report import carried_steps
+from footfall.motion import Clip, with_soles
 from footfall.scenario.cue_sheet import ActionEntry, Scenario
 from footfall.scenario.motions import Motion
 from footfall.scenario.preparation import add_action, prepare_character
-from footfall.skeleton import Anatomy, Skeleton, find_anatomy, leg_length
+from footfall.skeleton import Skeleton, find_anatomy, leg_length
+from footfall.studio.slip_meter import SlipMeter
 from footfall.support import Support
 
-__all__ = ["Performer", "SlipMeter"]
+__all__ = ["Performer"]
 
 Priority = float | Mapping[str, float]
 
 CONTACT_SHARE = 0.05
 """A foot point is in contact below this share of the leg's length over its lowest place."""
-
-
-@dataclass(eq=False)
-class SlipMeter:
-    """How far each planted foot has slid since it came down, as the reports measure it."""
-
-    anatomy: Anatomy
-    contact_height: float
-
-    def __post_init__(self) -> None:
-        self.slid: Floats = np.zeros(2)
-        """Of each foot, since it was planted [m]; of its last span while it swings, shape (2,)."""
-        self.total = 0.0
-        """Of both feet, since the meter began [m]."""
-        self._places: Positions | None = None
-        self._planted = (False, False)
-        self._lowest: Floats = np.full((2, 2), np.inf)
-
-    def measure(self, points: Positions, support: Support, ground: float) -> None:
-        """Take one frame: heel and toe of each foot in the world [m], shape (2, 2, 3)."""
-        heights = points[..., 1] - ground
-        self._lowest = np.minimum(self._lowest, heights)
-        clearances = heights - self._lowest
-        planted = (support.left, support.right)
-        if self._places is not None:
-            places = np.stack([self._places, points[..., [0, 2]]])
-            both = np.stack([clearances, clearances])
-            for foot in range(2):
-                if not planted[foot]:
-                    continue
-                if not self._planted[foot]:
-                    self.slid[foot] = 0.0
-                    continue
-                touching = both[:, foot] < self.contact_height
-                step = carried_steps(places[:, foot], both[:, foot], touching)
-                length = float(np.linalg.norm(step))
-                self.slid[foot] += length
-                self.total += length
-        self._places = points[..., [0, 2]].copy()
-        self._planted = planted
 
 
 class Performer:
@@ -82,6 +42,7 @@ class Performer:
         leading: int = 0,
         *,
         body: Skeleton | None = None,
+        clips: Sequence[Clip] | None = None,
         synchronized: bool = True,
     ) -> None:
         """Let a character stand where the motion of its leading action begins.
@@ -91,6 +52,7 @@ class Performer:
             motions: Of each action.
             leading: The action that will be started first.
             body: Instead of the scenario's.
+            clips: The motions as the body performs them; None: as they are.
             synchronized: Whether supports are synchronized, or clips are only cross-faded.
         """
         self._character, self.floor = prepare_character(
@@ -98,17 +60,18 @@ class Performer:
             motions,
             leading,
             body=body,
+            clips=clips,
             synchronized=synchronized,
             footprints=synchronized,
         )
         self._fps = scenario.fps
         self._clock = 0.0
         self.frame = 0
-        self.lift = 0.0
         self.skeleton = self._character.skeleton
-        self.anatomy = with_soles(find_anatomy(self.skeleton), *motions[0].clip.world_poses())
+        shown = self._character.library.actions[0].clip
+        self.anatomy = with_soles(find_anatomy(self.skeleton), *shown.world_poses())
         length = leg_length(self.skeleton, self.anatomy.left)
-        self.slip = SlipMeter(self.anatomy, CONTACT_SHARE * length)
+        self.slip = SlipMeter(CONTACT_SHARE * length)
         legs = self.anatomy.legs
         self._joints = np.array([[leg.heel.joint, leg.toe.joint] for leg in legs])
         self._offsets = np.array([[leg.heel.offset, leg.toe.offset] for leg in legs])
@@ -134,9 +97,19 @@ class Performer:
         return self._character.crowd.world_rotations[0]
 
     @property
-    def ground(self) -> float:
-        """Height of the ground it stands on [m]."""
-        return self.floor + self.lift
+    def ground(self) -> AnyGround:
+        """What it stands on."""
+        return self._character.crowd.ground
+
+    @property
+    def root(self) -> tuple[float, float, float]:
+        """Where it is: x, z [m] and heading [rad]."""
+        return self._character.root
+
+    def heights(self, points: Positions) -> Floats:
+        """Return how high the ground is now under some points [m], shape (...)."""
+        times = np.full(points.shape[:-1], self.clock)
+        return ground_heights(self.ground, points, times)
 
     @property
     def foot_points(self) -> Positions:
@@ -170,20 +143,19 @@ class Performer:
         """Whether an action runs, fades or waits."""
         return self._character.is_active(name)
 
-    def raise_ground(self, lift: float) -> None:
-        """Put the ground so far above where the first motion had it [m]."""
-        self.lift = lift
-        self._character.raise_ground(self.floor + lift)
+    def exchange_ground(self, ground: AnyGround, rise: float) -> None:
+        """Put it on other ground, which takes it along by a rise [m]."""
+        self._character.crowd.exchange_ground(ground, rise=rise)
 
-    def advance(self, lift: float) -> None:
-        """Let one frame pass, at the end of which the ground is so high [m]."""
+    def advance(self) -> None:
+        """Let one frame pass."""
         self.frame += 1
         time = self.frame / self._fps
-        if lift != self.lift:
-            self.raise_ground(lift)
         self._character.advance(time - self._clock)
         self._clock = time
-        self.slip.measure(self.foot_points, self.support, self.ground)
+        points = self.foot_points
+        carried = self._character.crowd.characters["carried"][0]
+        self.slip.measure(points, points[..., 1] - self.heights(points), carried, self.support)
 
     def states(self) -> tuple[ActionState, ...]:
         """Return what each action does."""

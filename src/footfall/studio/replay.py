@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from footfall.errors import ScenarioError
 from footfall.scenario.cue_sheet import Cue, Scenario, load_scenario
-from footfall.scenario.ground_lift import GroundLift
+from footfall.scenario.ground_change import GroundChange
 from footfall.scenario.motions import Motion, body_of, resolve_motion
 from footfall.studio.jobs import Job
 from footfall.studio.motion_list import LoadedMotion
@@ -43,9 +43,9 @@ def open_scenario(session: Session, name: str) -> None:
                 LoadedMotion(entry, motion)
                 for entry, motion in zip(scenario.actions, motions, strict=True)
             ]
-            session.stage.body = body
+            session.motions.body, session.skin = body, None
             session.stage.cards = []
-            session.stage.lift = GroundLift()
+            session.stage.asked = GroundChange()
             session.motions_changed()
             session.body = "own" if body is None else "of the scenario"
             session.script = frame_cues(scenario)
@@ -75,7 +75,7 @@ def due_cues(script: list[Cue], clock: float, begun: bool) -> list[Cue]:
 def obey_cue(stage: Stage, cue: Cue) -> None:
     """Give a cue to the stage."""
     if cue.kind == "ground":
-        stage.lift_to(cue.ground)
+        stage.ask(cue.ground)
         return
     card = stage.card(cue.action)
     if card is None:

@@ -10,16 +10,21 @@ import numpy as np
 import viser
 from viser.infra import WebsockClientConnection
 
+from footfall.adaptation import AnyGround
 from footfall.arrays import Positions, Rotations
+from footfall.io import SkinnedBody
 from footfall.skeleton import Anatomy, Skeleton
 from footfall.studio.crowd_figures import CrowdFigures
 from footfall.studio.figure import Figure
 from footfall.studio.footprints import Footprints
+from footfall.studio.ground_figures import GroundFigures
 from footfall.studio.origins import is_own_origin
+from footfall.studio.performer import Performer
+from footfall.studio.skin_figure import SkinFigure
 
 __all__ = ["StudioScene"]
 
-SKY, GROUND, GRID = (238, 241, 245), (226, 230, 236), (176, 186, 198)
+SKY = (238, 241, 245)
 
 QUIET = (
     '<i id="footfall-stage"></i><style>.mantine-Paper-root:has(#footfall-stage),'
@@ -64,26 +69,11 @@ class StudioScene:
         self._scene = self.server.scene
         self._prepare()
         self._world = self._scene.add_frame("/world", show_axes=False)
-        self._grid = self._scene.add_grid(
-            "/world/ground",
-            plane="xz",
-            infinite_grid=True,
-            cell_size=0.25,
-            section_size=1.0,
-            cell_color=(205, 212, 221),
-            section_color=GRID,
-            cell_thickness=0.6,
-            section_thickness=1.0,
-            fade_distance=26.0,
-            fade_strength=1.6,
-            shadow_opacity=0.22,
-            plane_color=GROUND,
-            plane_opacity=1.0,
-        )
+        self._ground = GroundFigures(self._scene, "/world/ground")
         self._follows = np.zeros(3)
         self._prints = Footprints(self._scene, "/world/prints")
-        self._figure: Figure | None = None
-        self._ghost: Figure | None = None
+        self._figure: Figure | SkinFigure | None = None
+        self._ghost: Figure | SkinFigure | None = None
         self._crowd: CrowdFigures | None = None
 
     def _prepare(self) -> None:
@@ -120,13 +110,20 @@ class StudioScene:
         far = 70.0 if view == "crowd" else 30.0
         self._scene.configure_fog(0.3 * far, far, color=SKY)
 
-    def show_body(self, skeleton: Skeleton, anatomy: Anatomy) -> None:
-        """Replace the body and its ghost."""
+    def show_body(
+        self, skeleton: Skeleton, anatomy: Anatomy, skin: SkinnedBody | None = None
+    ) -> None:
+        """Replace the body and its ghost; without a skin they are mannequins."""
         for old in (self._figure, self._ghost):
             if old is not None:
                 old.remove()
-        self._figure = Figure(self._scene, "/world/body", skeleton, anatomy)
-        self._ghost = Figure(self._scene, "/world/ghost", skeleton, anatomy, ghostly=True)
+        bodies = self._scene
+        if skin is None:
+            self._figure = Figure(bodies, "/world/body", skeleton, anatomy)
+            self._ghost = Figure(bodies, "/world/ghost", skeleton, anatomy, ghostly=True)
+        else:
+            self._figure = SkinFigure(bodies, "/world/body", skin)
+            self._ghost = SkinFigure(bodies, "/world/ghost", skin, ghostly=True)
         self._prints.clear()
 
     def show_crowd(self, skeleton: Skeleton, anatomy: Anatomy, size: int) -> None:
@@ -158,9 +155,15 @@ class StudioScene:
         """The crowd that is drawn."""
         return self._crowd
 
-    def print_feet(self, points: Positions, planted: tuple[bool, bool], ground: float) -> None:
+    def print_feet(self, performer: Performer) -> None:
         """Leave footprints; see `Footprints.update`."""
-        self._prints.update(points, planted, ground)
+        planted = (performer.support.left, performer.support.right)
+        self._prints.update(performer.foot_points, planted, performer.heights, performer.ground)
+
+    def show_ground(self, ground: AnyGround, time: float) -> None:
+        """Draw what is stood on as it is at a clock time [s]."""
+        self._ground.show(ground, time, self._follows)
+        self._prints.ride(ground, time)
 
     def clear_prints(self) -> None:
         """Clean the ground."""
@@ -175,19 +178,14 @@ class StudioScene:
         if self._crowd is not None:
             self._crowd.show(crowd)
 
-    def follow(self, place: Positions, ground: float, dt: float, *, at_once: bool = False) -> None:
-        """Bring a place [m] to the middle of the picture, softly, and the ground to its height."""
-        wanted = np.array([place[0], 0.0, place[2]])
+    def follow(self, place: Positions, dt: float, *, at_once: bool = False) -> None:
+        """Bring a place [m] to the middle of the picture, softly, its third part the height."""
+        wanted = np.asarray(place, dtype=np.float64)
         share = 1.0 if at_once else 1.0 - float(np.exp(-FOLLOW * dt))
         if float(np.abs(wanted - self._follows).max()) > 4.0:
             share = 1.0
         self._follows += share * (wanted - self._follows)
         self._world.position = -self._follows
-        # The plane is finite: it moves along, by whole squares so that the lines stay.
-        grid = np.round(self._follows)
-        wanted_grid = np.array([grid[0], ground, grid[2]])
-        if float(np.abs(self._grid.position - wanted_grid).max()) > 1e-6:
-            self._grid.position = wanted_grid
 
     def atomic(self) -> contextlib.AbstractContextManager[None]:
         """Let all that is moved inside be seen at once."""

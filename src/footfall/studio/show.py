@@ -46,6 +46,6 @@ def show_character(character: Character) -> Studio:
     ]
     studio = open_studio(port=0, motions=motions)
     with studio.session.lock:
-        studio.session.stage.body = character.skeleton
+        studio.session.motions.body = character.skeleton
         studio.session.restart()
     return studio

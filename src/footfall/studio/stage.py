@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
+from footfall.motion import Clip
 from footfall.scenario.cue_sheet import ActionEntry, Cue, Scenario
-from footfall.scenario.ground_lift import GroundLift
+from footfall.scenario.ground_change import GroundChange, GroundKind
 from footfall.scenario.motions import Motion
+from footfall.scenario.moving_ground import MovingGround
 from footfall.skeleton import Skeleton
 from footfall.studio.motion_list import LoadedMotion, MotionList
 from footfall.studio.performer import Performer
@@ -45,17 +48,19 @@ class Stage:
     def __init__(self, motions: MotionList) -> None:
         """Prepare a take with all motions of the list that mix."""
         self._list = motions
-        self.body: Skeleton | None = None
-        self.lift = GroundLift()
+        self.asked = GroundChange()
+        """How the ground is to be."""
         self.cards: list[Card] = []
         self.restart()
 
     def restart(self) -> None:
         """Begin a new take: the character stands where the first motion begins."""
-        self._entries = [one.entry for one in self._list.family]
-        self._motions = [one.motion for one in self._list.family]
+        performed = self._list.performed
+        self._entries = [one.entry for one, _ in performed]
+        self._motions = [one.motion for one, _ in performed]
+        self._clips = [clip for _, clip in performed]
         known = {card.name: card for card in self.cards}
-        self.cards = [self._card(one, known.get(one.name)) for one in self._list.family]
+        self.cards = [self._card(one, known.get(one.name)) for one, _ in performed]
         self._entries = [
             replace(entry, fade_in=card.fades[0], fade_out=card.fades[1])
             for entry, card in zip(self._entries, self.cards, strict=True)
@@ -64,8 +69,10 @@ class Stage:
         self.begun = False
         self.performer: Performer | None = None
         self.ghost: Performer | None = None
+        self.ground = MovingGround(0.0)
         if self._motions:
             self._prepare(0)
+            self.ground.ask(self.asked, self.pair()[0].root)
             for one in self.pair():
                 one.stand()
 
@@ -81,19 +88,31 @@ class Stage:
         """Begin the take: a ground that was raised before rises again, as a scenario can say it."""
         self._prepare(leading)
         self.begun = True
-        self.lift = GroundLift(asked=self.lift.asked)
-        if self.lift.asked:
-            self.take = self.take.with_cue(Cue(0.0, "ground", ground=self.lift.asked))
+        if self.asked != GroundChange():
+            self.ground.ask(self.asked, self.pair()[0].root)
+            self.take = self.take.with_cue(Cue(0.0, "ground", ground=self.asked))
 
     def _prepare(self, leading: int) -> None:
         motions = tuple(self._motions)
         scenario = self.take.scenario
-        self.performer = Performer(scenario, motions, leading, body=self.body)
-        self.ghost = Performer(scenario, motions, leading, body=self.body, synchronized=False)
+        self.performer, self.ghost = (
+            Performer(
+                scenario,
+                motions,
+                leading,
+                body=self.body,
+                clips=self._clips,
+                synchronized=synchronized,
+            )
+            for synchronized in (True, False)
+        )
+        self.ground = MovingGround(self.performer.floor)
 
     def add(self, loaded: LoadedMotion) -> None:
         """Let one more motion be performed, while the take goes on."""
-        self._append(loaded.entry, loaded.motion)
+        clip = self._list.fit(loaded, self._clips[0])
+        assert not isinstance(clip, str)
+        self._append(loaded.entry, loaded.motion, clip)
         self.cards.append(self._card(loaded, None))
 
     def card(self, name: str) -> Card | None:
@@ -151,26 +170,44 @@ class Stage:
                 return
         count = sum(1 for entry in self._entries if entry.motion == self._entries[index].motion)
         entry = replace(self._entries[index], name=f"{card.name} fade {count + 1}", **wanted)
-        self._append(entry, self._motions[index])
+        self._append(entry, self._motions[index], self._clips[index])
         card.action = entry.name
 
     def lift_to(self, height: float) -> None:
         """Let the ground rise or sink to so far above where the first motion had it [m]."""
-        self.lift.asked = height
+        self.ask(replace(self.asked, height=height))
+
+    def tilt_to(self, ahead: float, aside: float) -> None:
+        """Let the ground rise ahead of the character, and to its left [1], about its place."""
+        heading = self.pair()[0].root[2]
+        sine, cosine = math.sin(heading), math.cos(heading)
+        slope = (sine * ahead + cosine * aside, cosine * ahead - sine * aside)
+        self.ask(replace(self.asked, slope=slope))
+
+    def put(self, kind: GroundKind) -> None:
+        """Put something else on the ground, ahead of the character."""
+        self.ask(replace(self.asked, kind=kind))
+
+    def ask(self, change: GroundChange) -> None:
+        """Let the ground become something else."""
+        self.asked = change
+        if self.performer is None:
+            return
+        self.ground.ask(change, self.performer.root)
         if self.begun:
-            at = self.pair()[0].clock
-            self.take = self.take.with_cue(Cue(at, "ground", ground=height))
+            self.take = self.take.with_cue(Cue(self.performer.clock, "ground", ground=change))
 
     def advance(self) -> None:
         """Let one frame pass, once the take has begun; the ground moves towards its height."""
         if self.performer is None or self.ghost is None:
             return
-        self.lift.advance(1.0 / self.take.scenario.fps)
+        moved = self.ground.advance(1.0 / self.take.scenario.fps, self.performer.root)
         for one in (self.performer, self.ghost):
+            if moved:
+                one.exchange_ground(self.ground.ground, self.ground.rise)
             if self.begun:
-                one.advance(self.lift.height)
-            elif one.lift != self.lift.height:
-                one.raise_ground(self.lift.height)
+                one.advance()
+            elif moved:
                 one.stand()
 
     def activity(self) -> dict[str, str]:
@@ -193,11 +230,12 @@ class Stage:
         clock = 0.0 if self.performer is None else self.performer.clock
         return self.take.until(clock)
 
-    def _append(self, entry: ActionEntry, motion: Motion) -> None:
+    def _append(self, entry: ActionEntry, motion: Motion, clip: Clip) -> None:
         self._entries.append(entry)
         self._motions.append(motion)
+        self._clips.append(clip)
         for one in self.pair():
-            one.add(entry, motion)
+            one.add(entry, Motion(clip, motion.supports))
         self.take = Take(replace(self.take.scenario, actions=tuple(self._entries)))
 
     def pair(self) -> tuple[Performer, Performer]:
@@ -222,6 +260,19 @@ class Stage:
         at = self.pair()[0].clock
         cue = Cue(at, "start" if kind == "start" else "stop", card.action)
         self.take = self.take.with_cue(cue)
+
+    @property
+    def body(self) -> Skeleton | None:
+        """Who performs; None: the body of the first motion."""
+        return self._list.body
+
+    @property
+    def tilt(self) -> tuple[float, float]:
+        """How the ground rises ahead of the character, and to its left [1]."""
+        x, z = self.ground.slope
+        heading = 0.0 if self.performer is None else self.performer.root[2]
+        sine, cosine = math.sin(heading), math.cos(heading)
+        return x * sine + z * cosine, x * cosine - z * sine
 
     @property
     def motions(self) -> tuple[Motion, ...]:

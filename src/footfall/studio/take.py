@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 from footfall.scenario.cue_sheet import ActionEntry, Cue, Scenario
+from footfall.scenario.ground_change import GroundChange
 
 __all__ = ["Take", "scenario_text"]
 
@@ -42,7 +43,7 @@ def scenario_text(scenario: Scenario) -> str:
     for cue in scenario.cues:
         lines += ["", "[[cue]]", f"at = {cue.at!r}"]
         if cue.kind == "ground":
-            lines.append(f"ground = {cue.ground!r}")
+            lines.append(f"ground = {_ground(cue.ground)}")
         elif cue.kind == "priority":
             assert cue.priority is not None
             lines.append(f"priority = {{ {_quoted(cue.action)} = {_priority(cue.priority)} }}")
@@ -67,6 +68,13 @@ def _action_lines(entry: ActionEntry) -> list[str]:
     if entry.crop is not None:
         lines.append(f"crop = [{entry.crop[0]!r}, {entry.crop[1]!r}]")
     return lines
+
+
+def _ground(change: GroundChange) -> str:
+    if change == GroundChange(change.height):
+        return repr(change.height)
+    slope = ", ".join(map(repr, change.slope))
+    return f"{{ height = {change.height!r}, slope = [{slope}], kind = {_quoted(change.kind)} }}"
 
 
 def _priority(priority: float | Mapping[str, float]) -> str:

@@ -59,7 +59,8 @@ def tick_json(stage: Stage) -> Json:
         "slip": [round(1000.0 * float(value), 1) for value in performer.slip.slid],
         "slipTotal": round(1000.0 * performer.slip.total, 1),
         "ghostSlip": round(1000.0 * ghost.slip.total, 1),
-        "lift": round(performer.lift, 3),
+        "lift": round(stage.ground.height, 3),
+        "tilt": [round(100.0 * value, 1) for value in stage.tilt],
     }
 
 

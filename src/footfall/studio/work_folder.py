@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from footfall.errors import FileFormatError
-from footfall.io import write_atomically
+from footfall.io import readable_suffixes, write_atomically
 
 __all__ = ["LARGEST_FILE", "WorkFolder", "check_size"]
 
@@ -19,7 +19,11 @@ MOST_LISTED = 500
 DEEPEST = 3
 """How many folders down they are looked for."""
 
-SUFFIXES = (".bvh", ".bvh.gz", ".npz")
+SUFFIXES = tuple(one for one in readable_suffixes() if one not in (".json", ".txt"))
+"""Of files that are offered as motions: what else may hold one is seldom one."""
+
+SKINS = (".glb", ".gltf")
+"""Of files that are offered as bodies."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -85,6 +89,10 @@ class WorkFolder:
     def motions(self) -> list[str]:
         """Return the motion files in and below the folder, by name from it."""
         return self._files(SUFFIXES, DEEPEST)
+
+    def bodies(self) -> list[str]:
+        """Return the files in and below the folder that may hold a body in its skin, by name."""
+        return self._files(SKINS, DEEPEST)
 
     def scenarios(self) -> list[str]:
         """Return the scenario files in the folder, by name."""

@@ -12,6 +12,7 @@ const SPEEDS = [[1, "1×"], [0.5, "½×"], [0.25, "¼×"], [0.1, "⅒×"]];
 const SAMPLES = ["walk", "walk-slow", "walk-fast", "walk-backward", "run", "hop-right", "hop-left", "side-step",
   "idle", "kick", "punch", "jump", "shot", "walk-to-hop"];
 const views = { stage: schedule, supports: editor, crowd };
+const percent = (value) => (Math.abs(value) < 0.5 ? "0" : value.toFixed(0).replace("-", "−"));
 const view = () => known.state?.view ?? "stage";
 
 function choices(select, values, first) {
@@ -34,6 +35,11 @@ function buildControls() {
   byId("restart").onclick = () => say("restart");
   byId("ghost").onchange = (event) => say("ghost", { on: event.target.checked });
   byId("lift").oninput = (event) => say("lift", { value: +event.target.value });
+  for (const id of ["ahead", "aside"]) byId(id).oninput = () => say("tilt", { ahead: +byId("ahead").value, aside: +byId("aside").value });
+  for (const id of ["lift", "ahead", "aside"]) {
+    byId(id).ondblclick = () => { byId(id).value = 0; byId(id).oninput({ target: byId(id) }); };
+  }
+  byId("ground-kind").onchange = (event) => say("ground", { name: event.target.value });
   byId("body").onchange = (event) => say("body", { name: event.target.value });
   for (const [id, word] of [["file", "load"], ["scenario", "open"]]) {
     byId(id).onchange = (event) => {
@@ -89,14 +95,17 @@ on("state", (state) => {
   choices(byId("file"), state.files, state.files.length ? "choose…" : "none here");
   choices(byId("scenario"), state.scenarios, state.scenarios.length ? "choose…" : "none here");
   choices(byId("body"), state.bodies);
-  choices(byId("ground-kind"), state.grounds.map((ground) => ground.name));
+  choices(byId("ground-kind"), state.grounds);
+  byId("ground-kind").value = state.ground;
   byId("body").value = state.body;
   byId("ghost").checked = state.ghost;
   byId("folder").textContent = `files go to ${state.folder}`;
   byId("load-all").disabled = !state.files.length;
-  const [{ least, greatest }] = state.grounds;
-  Object.assign(byId("lift"), { min: least, max: greatest });
-  if (document.activeElement !== byId("lift")) byId("lift").value = state.lift;
+  const sliders = [["lift", state.lifts, state.lift], ["ahead", state.tilts, state.tilt[0]], ["aside", state.tilts, state.tilt[1]]];
+  for (const [id, [min, max], value] of sliders) {
+    Object.assign(byId(id), { min, max });
+    if (document.activeElement !== byId(id)) byId(id).value = value;
+  }
   if (state.view !== "stage") byId("now").hidden = byId("against").hidden = true;
   showPause();
 });
@@ -118,6 +127,7 @@ on("tick", (tick) => {
   const long = (mm) => (mm < 100 ? `${mm.toFixed(0)} mm` : `${(mm / 1000).toFixed(2)} m`);
   byId("against").innerHTML = `planted feet have slid <i>${long(tick.slipTotal)}</i>, the ghost's <b>${long(tick.ghostSlip)}</b>`;
   byId("lift-now").textContent = `${tick.lift.toFixed(2)} m`;
+  for (const [id, value] of [["ahead-now", tick.tilt[0]], ["aside-now", tick.tilt[1]]]) byId(id).textContent = `${percent(value)} %`;
 });
 
 on("jobs", ({ jobs }) => {

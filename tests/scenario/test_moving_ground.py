@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from footfall.scenario.ground_lift import LIFT_SPEED, GroundLift
 
 from footfall.scenario.cue_sheet import Cue, parse_scenario
-from footfall.scenario.ground_lift import LIFT_SPEED, GroundLift
 from footfall.scenario.performance import perform
 
 SHEET = """
