@@ -56,7 +56,7 @@ def studio_in_browser(
             yield studio, page
         finally:
             browser.close()
-    assert errors == []
+    assert errors == [], errors
 
 
 def until(true: Callable[[], object], what: str) -> None:

@@ -11,8 +11,9 @@ from footfall.errors import MissingViewerError
 from footfall.scenario.cue_sheet import Scenario, parse_scenario
 from footfall.scenario.ground_change import GROUND_KINDS, GroundChange, GroundKind
 from footfall.scenario.performance import perform
+from footfall.studio.card import PARTS
 from footfall.studio.motion_list import MotionList
-from footfall.studio.stage import PARTS, Stage
+from footfall.studio.stage import Stage
 from footfall.studio.take import scenario_text
 from footfall.studio.work_folder import WorkFolder
 

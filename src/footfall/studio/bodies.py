@@ -19,8 +19,8 @@ __all__ = [
     "LOWEST",
     "STEEPEST",
     "Body",
+    "Wardrobe",
     "bodies_of",
-    "body_from_file",
     "standing_clip",
 ]
 
@@ -61,14 +61,25 @@ def bodies_of(skeletons: Sequence[Skeleton]) -> tuple[Body, ...]:
     return (*own, *(Body(name, _sized(skeletons[0], all_, legs)) for name, all_, legs in SIZES))
 
 
-def body_from_file(path: Path, name: str) -> Body:
-    """Return the character of a .glb or .gltf file, in its skin.
+class Wardrobe:
+    """The bodies that were read from files, each once as long as its file stays as it is."""
 
-    Raises:
-        FileFormatError: If the file cannot be read, or has no skin.
-    """
-    skin = load_skinned(path)
-    return Body(name, skin.skeleton, skin)
+    def __init__(self) -> None:
+        """Begin empty."""
+        self._known: dict[tuple[Path, int, int], Body] = {}
+
+    def body(self, path: Path, name: str) -> Body:
+        """Return the character of a .glb or .gltf file, in its skin.
+
+        Raises:
+            FileFormatError: If the file cannot be read, or has no skin.
+        """
+        stamp = path.stat() if path.is_file() else None
+        key = (path, stamp.st_mtime_ns, stamp.st_size) if stamp is not None else (path, 0, 0)
+        if key not in self._known:
+            skin = load_skinned(path)
+            self._known[key] = Body(name, skin.skeleton, skin)
+        return self._known[key]
 
 
 def _sized(skeleton: Skeleton, factor: float, legs: float) -> Skeleton:

@@ -7,7 +7,9 @@ from typing import Any
 
 from footfall.errors import ArgumentError, FootfallError
 from footfall.studio.bodies import GROUNDS, HIGHEST, LOWEST, STEEPEST
+from footfall.studio.card import PARTS, Card, by_part
 from footfall.studio.crowd_stage import GROUP_NAMES
+from footfall.studio.dressing import choose_body
 from footfall.studio.editor import SupportEditor
 from footfall.studio.exports import export
 from footfall.studio.loading import load, load_from_page, set_option
@@ -15,7 +17,6 @@ from footfall.studio.news import news
 from footfall.studio.replay import open_scenario
 from footfall.studio.said import Said
 from footfall.studio.session import SPEEDS, Session
-from footfall.studio.stage import PARTS, Card, by_part
 from footfall.studio.telling import edit_json
 
 __all__ = ["COMMANDS", "handle"]
@@ -176,7 +177,7 @@ COMMANDS: dict[str, Command] = {
     "lift": _lift,
     "tilt": _tilt,
     "ground": _ground,
-    "body": lambda session, said: session.choose_body(said.text("name")),
+    "body": lambda session, said: choose_body(session, said.text("name")),
     "load": lambda session, said: load_from_page(session, said.text("file")),
     "load-all": lambda session, _: load(session, session.folder.motions()),
     "remove": lambda session, said: session.remove(said.text("name")),

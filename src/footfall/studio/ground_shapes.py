@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -86,12 +87,12 @@ def _extruded(profile: Positions, half: float) -> Shape:
     low = profile[-1, 1]
     for side, order in ((left, 1), (right, -1)):
         # A wall below each piece of the outline that leads on.
-        for start, end in zip(side[: count - 3], side[1 : count - 2], strict=True):
+        for start, end in pairwise(side[: count - 2]):
             if end[2] - start[2] > 1e-9:
                 corners = [[start[0], low, start[2]], start, end, [end[0], low, end[2]]]
                 quads.append(np.array(corners)[::order])
     first = 4 * np.arange(len(quads))[:, np.newaxis]
-    faces = np.concatenate([first + [0, 2, 1], first + [0, 3, 2]])
+    faces = np.concatenate([first + np.array(half_of) for half_of in ((0, 2, 1), (0, 3, 2))])
     edges = np.stack([left, right], axis=1)[: count - 2]
     rims = [np.stack([side[: count - 3], side[1 : count - 2]], axis=1) for side in (left, right)]
     return Shape(np.concatenate(quads), faces, np.concatenate([edges, *rims]) + ABOVE)

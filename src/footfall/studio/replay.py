@@ -8,9 +8,10 @@ from footfall.errors import ScenarioError
 from footfall.scenario.cue_sheet import Cue, Scenario, load_scenario
 from footfall.scenario.ground_change import GroundChange
 from footfall.scenario.motions import Motion, body_of, resolve_motion
+from footfall.studio.card import by_part
 from footfall.studio.jobs import Job
 from footfall.studio.motion_list import LoadedMotion
-from footfall.studio.stage import Stage, by_part
+from footfall.studio.stage import Stage
 
 if TYPE_CHECKING:
     from footfall.studio.session import Session

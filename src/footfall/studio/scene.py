@@ -4,22 +4,20 @@ from __future__ import annotations
 
 import contextlib
 import io
-from typing import Any
 
 import numpy as np
 import viser
-from viser.infra import WebsockClientConnection
 
 from footfall.adaptation import AnyGround
 from footfall.arrays import Positions, Rotations
 from footfall.io import SkinnedBody
-from footfall.skeleton import Anatomy, Skeleton
+from footfall.skeleton import Anatomy, Skeleton, leg_length
 from footfall.studio.crowd_figures import CrowdFigures
 from footfall.studio.figure import Figure
 from footfall.studio.footprints import Footprints
 from footfall.studio.ground_figures import GroundFigures
-from footfall.studio.origins import is_own_origin
 from footfall.studio.performer import Performer
+from footfall.studio.scene_door import refuse_foreigners
 from footfall.studio.skin_figure import SkinFigure
 
 __all__ = ["StudioScene"]
@@ -41,6 +39,9 @@ CAMERAS = {
     "crowd": ((15.0, 8.5, 17.0), (0.0, 0.0, 0.0)),
 }
 """Where each view is looked from, and what at [m]."""
+
+USUAL_LEG = 0.85
+"""Length of a leg that the cameras are meant for [m]."""
 
 GHOST_ASIDE = -1.1
 """How far beside the body its ghost is drawn, beyond it as seen by the camera [m]."""
@@ -64,14 +65,17 @@ class StudioScene:
         # The library prints addresses in a form of its own; the studio prints its ports.
         with contextlib.redirect_stdout(io.StringIO()):
             self.server = viser.ViserServer(host=host, port=port, verbose=False)
-        _refuse_foreigners(self.server, allowed)
+        refuse_foreigners(self.server, allowed)
         self.port = self.server.get_port()
         self._scene = self.server.scene
+        self._size, self._view = 1.0, "stage"
         self._prepare()
         self._world = self._scene.add_frame("/world", show_axes=False)
         self._ground = GroundFigures(self._scene, "/world/ground")
         self._follows = np.zeros(3)
         self._prints = Footprints(self._scene, "/world/prints")
+        self._shown = 0
+        self._skins: list[tuple[SkinnedBody, tuple[SkinFigure, SkinFigure]]] = []
         self._figure: Figure | SkinFigure | None = None
         self._ghost: Figure | SkinFigure | None = None
         self._crowd: CrowdFigures | None = None
@@ -83,7 +87,7 @@ class StudioScene:
         scene.configure_default_lights(enabled=False)
         scene.world_axes.visible = False
         scene.add_light_hemisphere(
-            "/sky", sky_color=(255, 255, 255), ground_color=(150, 156, 168), intensity=1.25
+            "/sky", sky_color=(255, 255, 255), ground_color=(176, 180, 190), intensity=1.7
         )
         scene.add_light_directional(
             "/sun",
@@ -101,7 +105,9 @@ class StudioScene:
 
     def look(self, view: str) -> None:
         """Put the camera of every tab where a view is seen best."""
-        position, at = CAMERAS[view]
+        self._view = view
+        size = 1.0 if view == "crowd" else self._size
+        position, at = (size * np.array(place) for place in CAMERAS[view])
         self.server.initial_camera.position = position
         self.server.initial_camera.look_at = at
         for client in self.server.get_clients().values():
@@ -117,14 +123,35 @@ class StudioScene:
         for old in (self._figure, self._ghost):
             if old is not None:
                 old.remove()
-        bodies = self._scene
+        # A name is used once: what was still on its way to a body that is gone finds none.
+        self._shown += 1
+        body, ghost = f"/world/body_{self._shown}", f"/world/ghost_{self._shown}"
         if skin is None:
-            self._figure = Figure(bodies, "/world/body", skeleton, anatomy)
-            self._ghost = Figure(bodies, "/world/ghost", skeleton, anatomy, ghostly=True)
+            self._figure = Figure(self._scene, body, skeleton, anatomy)
+            self._ghost = Figure(self._scene, ghost, skeleton, anatomy, ghostly=True)
         else:
-            self._figure = SkinFigure(bodies, "/world/body", skin)
-            self._ghost = SkinFigure(bodies, "/world/ghost", skin, ghostly=True)
+            self._figure, self._ghost = self._skin_figures(skin, body, ghost)
         self._prints.clear()
+        self._zoom(leg_length(skeleton, anatomy.left))
+
+    def _skin_figures(
+        self, skin: SkinnedBody, body: str, ghost: str
+    ) -> tuple[SkinFigure, SkinFigure]:
+        """Return the figures of a skin; those that were shown before are shown again."""
+        for known, figures in self._skins:
+            if known is skin:
+                return figures
+        pair = SkinFigure(self._scene, body, skin), SkinFigure(self._scene, ghost, skin, True)
+        self._skins.append((skin, pair))
+        return pair
+
+    def _zoom(self, leg: float) -> None:
+        """Go back before giants, and near to dwarfs; who is of the size of people is seen so."""
+        size = leg / USUAL_LEG
+        size = 1.0 if 0.6 < size < 1.5 else size
+        if size != self._size:
+            self._size = size
+            self.look(self._view)
 
     def show_crowd(self, skeleton: Skeleton, anatomy: Anatomy, size: int) -> None:
         """Replace the crowd."""
@@ -143,7 +170,7 @@ class StudioScene:
     def pose_ghost(self, positions: Positions, rotations: Rotations) -> None:
         """Move the ghost, drawn beside where it is."""
         if self._ghost is not None:
-            self._ghost.pose(positions + np.array([GHOST_ASIDE, 0.0, 0.0]), rotations)
+            self._ghost.pose(positions + np.array([self._size * GHOST_ASIDE, 0.0, 0.0]), rotations)
 
     def pose_crowd(self, positions: Positions, rotations: Rotations, shifts: Positions) -> None:
         """Move the crowd; see `CrowdFigures.pose`."""
@@ -206,26 +233,3 @@ class StudioScene:
         """Serve no more."""
         with contextlib.redirect_stdout(io.StringIO()):
             self.server.stop()
-
-
-def _refuse_foreigners(server: viser.ViserServer, allowed: tuple[str, ...]) -> None:
-    """Close the connections of foreign pages before they hear or say anything.
-
-    The library checks no origin, and offers no place for it: its connections are looked up where
-    it keeps them.
-    """
-    socket_server = server._websock_server  # pyright: ignore[reportPrivateUsage]
-    connections = socket_server._live_connections  # pyright: ignore[reportPrivateUsage]
-
-    async def check(connection: WebsockClientConnection) -> None:
-        socket = connections[connection.client_id]
-        request = socket.request
-        origin = None if request is None else request.headers.get("Origin")
-        host = None if request is None else request.headers.get("Host")
-        if not is_own_origin(origin, host, allowed):
-            await socket.close(1008, "foreign origin")
-
-    callbacks: list[Any] = socket_server._client_connect_cb  # pyright: ignore
-    callbacks.insert(0, check)
-    # A page that connected before the check was there connects again, and is checked.
-    socket_server.disconnect_all_clients()

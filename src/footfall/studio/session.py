@@ -14,7 +14,7 @@ from footfall.errors import ArgumentError
 from footfall.io import SkinnedBody
 from footfall.scenario.cue_sheet import Cue, Scenario
 from footfall.scenario.motions import Motion
-from footfall.studio.bodies import Body, bodies_of, body_from_file
+from footfall.studio.bodies import Body, Wardrobe
 from footfall.studio.crowd_stage import CrowdStage
 from footfall.studio.editor import SupportEditor
 from footfall.studio.jobs import Job, Jobs
@@ -58,6 +58,7 @@ class Session:
         self.tilt = (0.0, 0.0)
         """How the ground was asked to rise ahead of the character and to its left [1]."""
         self.body = "own"
+        self.wardrobe = Wardrobe()
         self.skin: SkinnedBody | None = None
         """Of the body that performs; None: it is drawn as a mannequin."""
         self.clip_time = 0.0
@@ -103,46 +104,8 @@ class Session:
         self.notice(f"saved {editor.file}")
         self.motions_changed()
 
-    def choose_body(self, name: str) -> None:
-        """Let another body perform; the take begins anew once all motions fit it.
-
-        Raises:
-            ArgumentError: If there is none of this name.
-        """
-        known = {body.name: body for body in bodies_of(self.motions.skeletons)}
-        files = self.folder.bodies()
-        if name not in known and name not in files:
-            raise ArgumentError(f"no body {name!r}; there are: {', '.join([*known, *files])}")
-        if name in known and self._fits(known[name]):
-            self._put_on(known[name])
-            return
-
-        def work(job: Job) -> None:
-            body = known.get(name) or body_from_file(self.folder.readable(name), name)
-            others = MotionList(self.folder, self.motions)
-            others.body = body.skeleton
-            count = len(others.motions)
-            performed = others.fit_all(
-                lambda one: job.report(others.motions.index(one) / count, one.name)
-            )
-            job.report(1.0)
-            able = [one for one, _ in performed]
-            refused = [one.name for one in others.motions if one not in able]
-            with self.lock:
-                self._put_on(body)
-            self.tell({"kind": "changed"})
-            if refused:
-                self.notice(f"{name} cannot perform: {', '.join(refused)}", "error")
-
-        self.jobs.begin(f"putting on {name}", work)
-
-    def _fits(self, body: Body) -> bool:
-        """Whether no motion has to be retargeted for a body."""
-        first = self.motions.motions[0].motion.clip.skeleton
-        chosen = body.skeleton or first
-        return all(one.motion.clip.skeleton.same_family(chosen) for one in self.motions.motions)
-
-    def _put_on(self, body: Body) -> None:
+    def put_on(self, body: Body) -> None:
+        """Let another body perform, whose motions have been fitted; the take begins anew."""
         self.body, self.skin = body.name, body.skin
         self.motions.body = body.skeleton
         self.crowd = None

@@ -26,8 +26,8 @@ def show_character(character: Character) -> Studio:
         MissingViewerError: If the extra is not installed.
         ArgumentError: If the character has no action yet.
     """
+    from footfall.studio.card import PARTS
     from footfall.studio.motion_list import LoadedMotion
-    from footfall.studio.stage import PARTS
 
     if not character.library.actions:
         raise ArgumentError("the character has no action yet; add one first")

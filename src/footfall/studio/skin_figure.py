@@ -21,7 +21,7 @@ class SkinFigure:
     """The skin of one character."""
 
     def __init__(
-        self, scene: SceneApi, name: str, body: SkinnedBody, *, ghostly: bool = False
+        self, scene: SceneApi, name: str, body: SkinnedBody, ghostly: bool = False
     ) -> None:
         """Put a skin into the scene.
 
@@ -67,8 +67,8 @@ class SkinFigure:
         del left, right
 
     def remove(self) -> None:
-        """Take it out of the scene."""
-        self.root.remove()
+        """Take it out of sight: where a skin leaves the scene, the library's page breaks."""
+        self.root.visible = False
 
 
 def _by_color(body: SkinnedBody) -> list[tuple[tuple[int, int, int], Indices]]:

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
+from typing import Literal
 
 from footfall.motion import Clip
 from footfall.scenario.cue_sheet import ActionEntry, Cue, Scenario
@@ -12,34 +12,12 @@ from footfall.scenario.ground_change import GroundChange, GroundKind
 from footfall.scenario.motions import Motion
 from footfall.scenario.moving_ground import MovingGround
 from footfall.skeleton import Skeleton
+from footfall.studio.card import Card, by_part
 from footfall.studio.motion_list import LoadedMotion, MotionList
 from footfall.studio.performer import Performer
 from footfall.studio.take import Take
 
-__all__ = ["PARTS", "Card", "Stage", "by_part"]
-
-PARTS = ("legs", "trunk", "head", "left_arm", "right_arm")
-"""Body parts with a priority of their own, in the order of the engine's."""
-
-
-@dataclass(eq=False)
-class Card:
-    """One motion as its card on the page has it."""
-
-    name: str
-    """Of the motion."""
-
-    action: str
-    """Of the action in the scenario that the next start means."""
-
-    priority: dict[str, float]
-    """By body part."""
-
-    fades: tuple[float, float]
-    """How long a start and a stop take [s]."""
-
-    reason: str = field(default="")
-    """Why its start waits."""
+__all__ = ["Stage"]
 
 
 class Stage:
@@ -95,16 +73,10 @@ class Stage:
     def _prepare(self, leading: int) -> None:
         motions = tuple(self._motions)
         scenario = self.take.scenario
-        self.performer, self.ghost = (
-            Performer(
-                scenario,
-                motions,
-                leading,
-                body=self.body,
-                clips=self._clips,
-                synchronized=synchronized,
-            )
-            for synchronized in (True, False)
+        body, clips = self._list.body, self._clips
+        self.performer = Performer(scenario, motions, leading, body=body, clips=clips)
+        self.ghost = Performer(
+            scenario, motions, leading, body=body, clips=clips, synchronized=False
         )
         self.ground = MovingGround(self.performer.floor)
 
@@ -117,7 +89,7 @@ class Stage:
 
     def card(self, name: str) -> Card | None:
         """Return the card of a motion, or None."""
-        return next((card for card in self.cards if card.name == name), None)
+        return next((one for one in self.cards if one.name == name), None)
 
     def start(self, card: Card) -> None:
         """Start an action, or let it wait; the first start begins the take."""
@@ -199,10 +171,10 @@ class Stage:
 
     def advance(self) -> None:
         """Let one frame pass, once the take has begun; the ground moves towards its height."""
-        if self.performer is None or self.ghost is None:
+        if self.performer is None:
             return
         moved = self.ground.advance(1.0 / self.take.scenario.fps, self.performer.root)
-        for one in (self.performer, self.ghost):
+        for one in self.pair():
             if moved:
                 one.exchange_ground(self.ground.ground, self.ground.rise)
             if self.begun:
@@ -256,10 +228,8 @@ class Stage:
         at = self.pair()[0].clock
         self.take = self.take.with_cue(Cue(at, "priority", card.action, dict(card.priority)))
 
-    def _log(self, kind: str, card: Card) -> None:
-        at = self.pair()[0].clock
-        cue = Cue(at, "start" if kind == "start" else "stop", card.action)
-        self.take = self.take.with_cue(cue)
+    def _log(self, kind: Literal["start", "stop"], card: Card) -> None:
+        self.take = self.take.with_cue(Cue(self.pair()[0].clock, kind, card.action))
 
     @property
     def body(self) -> Skeleton | None:
@@ -278,12 +248,3 @@ class Stage:
     def motions(self) -> tuple[Motion, ...]:
         """The motion of each action of the scenario."""
         return tuple(self._motions)
-
-
-def by_part(priority: float | Mapping[str, float]) -> dict[str, float]:
-    """Return a priority as the sliders show it."""
-    if not isinstance(priority, Mapping):
-        return dict.fromkeys(PARTS, float(priority))
-    both = float(priority.get("arms", 0.0))
-    arms = {"left_arm": both, "right_arm": both}
-    return {part: float(priority.get(part, arms.get(part, 0.0))) for part in PARTS}

@@ -9,9 +9,10 @@ import numpy as np
 from footfall.detection import Interval
 from footfall.engine.inspection import ActionState
 from footfall.studio.bands import Bands
+from footfall.studio.card import Card
 from footfall.studio.editor import SupportEditor
 from footfall.studio.performer import Performer
-from footfall.studio.stage import Card, Stage
+from footfall.studio.stage import Stage
 from footfall.support import Support
 
 __all__ = ["bands_json", "card_json", "clip_json", "edit_json", "symbol", "tick_json"]

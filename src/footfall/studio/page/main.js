@@ -97,7 +97,7 @@ on("state", (state) => {
   choices(byId("body"), state.bodies);
   choices(byId("ground-kind"), state.grounds);
   byId("ground-kind").value = state.ground;
-  byId("body").value = state.body;
+  byId("body").value = byId("body").title = state.body;
   byId("ghost").checked = state.ghost;
   byId("folder").textContent = `files go to ${state.folder}`;
   byId("load-all").disabled = !state.files.length;
