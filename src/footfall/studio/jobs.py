@@ -8,6 +8,7 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 
 from footfall.errors import FootfallError
+from footfall.studio.memory import settle_memory
 
 __all__ = ["Canceled", "Job", "Jobs"]
 
@@ -119,6 +120,7 @@ class Jobs:
             # Whatever went wrong in one file must not end the session of all tabs.
             self._failed(f"{job.title}: unexpected {type(error).__name__}: {error}")
         finally:
+            settle_memory()
             with self._lock:
                 self._jobs.remove(job)
             self._changed()

@@ -13,6 +13,7 @@ from footfall.studio.clock import StudioClock
 from footfall.studio.commands import handle
 from footfall.studio.exports import PageWriter
 from footfall.studio.loading import load
+from footfall.studio.memory import release_memory
 from footfall.studio.motion_list import DEFAULT_SAMPLES, LoadedMotion
 from footfall.studio.news import greet
 from footfall.studio.page_server import PageServer
@@ -91,6 +92,7 @@ class Studio:
         if self._server is not None:
             self._server.stop()
         self._scene.stop()
+        release_memory()
 
     def __enter__(self) -> Studio:
         return self
