@@ -10,6 +10,8 @@ from typing import Any
 
 import pytest
 
+from footfall.io import save_gltf
+from footfall.samples import sample
 from footfall.studio import open_studio
 from footfall.studio.commands import handle
 
@@ -41,8 +43,9 @@ def cores_used() -> float:
 
 
 @pytest.mark.full
-@pytest.mark.parametrize("what", ["one character at 60 Hz", "500 characters at 30 Hz"])
+@pytest.mark.parametrize("what", ["one skinned character at 60 Hz", "500 characters at 30 Hz"])
 def test_less_than_half_a_core(tmp_path: Path, what: str) -> None:
+    save_gltf(sample("walk")[0], tmp_path / "hero.glb")
     with open_studio(["sample:walk", "sample:run"], folder=tmp_path, port=0) as studio:
         session = studio.session
         session.jobs.wait()
@@ -50,6 +53,9 @@ def test_less_than_half_a_core(tmp_path: Path, what: str) -> None:
         tab = subprocess.Popen(command)
         try:
             if what.startswith("one"):
+                handle(session, {"do": "body", "name": "hero.glb"})
+                session.jobs.wait()
+                assert session.skin is not None
                 handle(session, {"do": "ghost", "on": True})
                 for name in ("walk", "run"):
                     handle(session, {"do": "start", "name": name})
