@@ -11,7 +11,8 @@ import numpy as np
 import pytest
 from tests.studio.browser import overflowing, overlapping, studio_in_browser, until
 
-from footfall.io import load_supports
+from footfall.io import load_supports, save_gltf
+from footfall.samples import sample
 from footfall.scenario.cue_sheet import load_scenario
 from footfall.scenario.performance import perform
 
@@ -45,6 +46,18 @@ def edge(page: Any, foot: int, band: int, side: int) -> tuple[float, float]:
     return x, y
 
 
+def resting_edge(page: Any, foot: int, band: int, side: int) -> tuple[float, float]:
+    """Return where an edge is once the page has come to rest."""
+    seen = [(-1.0, -1.0)]
+
+    def rests() -> bool:
+        seen.append(edge(page, foot, band, side))
+        return seen[-1] == seen[-2]
+
+    until(rests, "the page to come to rest")
+    return seen[-1]
+
+
 def test_a_motion_is_started_and_stopped_by_its_number(tmp_path: Path) -> None:
     with studio_in_browser(tmp_path, files=["sample:walk", "sample:run"]) as (studio, page):
         page.keyboard.press("1")
@@ -68,17 +81,17 @@ def test_the_whole_story_of_a_user(tmp_path: Path) -> None:
         page,
     ):
         drag_an_edge_and_save(studio, page, tmp_path)
-        see_why_it_waits(page)
+        see_why_it_waits(studio, page)
         move_the_ground(studio, page)
+        put_something_on_the_ground(studio, page)
         record_and_open_again(studio, page, tmp_path)
 
 
 def drag_an_edge_and_save(studio: Any, page: Any, folder: Path) -> None:
     look_at(page, "supports")
     until(lambda: page.evaluate("Boolean(studio.known.edit)"), "the editor")
-    page.wait_for_timeout(1500)
     before = page.evaluate("studio.known.edit.bands[0][0][1]")
-    x, y = edge(page, 0, 0, 1)
+    x, y = resting_edge(page, 0, 0, 1)
     page.mouse.move(x, y)
     page.mouse.down()
     page.mouse.move(x - 60, y, steps=6)
@@ -100,7 +113,7 @@ def drag_an_edge_and_save(studio: Any, page: Any, folder: Path) -> None:
     assert saved == studio.session.motions.find("walk").motion.supports
 
 
-def see_why_it_waits(page: Any) -> None:
+def see_why_it_waits(studio: Any, page: Any) -> None:
     look_at(page, "stage")
     page.keyboard.press("1")
     until(lambda: activity(page, "walk") == "running", "the walk")
@@ -109,8 +122,7 @@ def see_why_it_waits(page: Any) -> None:
     for _ in range(20):
         page.evaluate("studio.say('pause', {on: true})")
         page.evaluate("studio.say('start', {name: 'kick'})")
-        page.wait_for_timeout(300)
-        if activity(page, "kick") == "waiting":
+        if studio.session.stage.activity()["kick"] == "waiting":
             break
         page.evaluate("studio.say('stop', {name: 'kick'})")
         page.evaluate("studio.say('pause', {on: false})")
@@ -122,9 +134,22 @@ def see_why_it_waits(page: Any) -> None:
 
 def move_the_ground(studio: Any, page: Any) -> None:
     page.evaluate("studio.say('lift', {value: 0.25})")
-    until(lambda: studio.session.stage.performer.lift == 0.25, "the raised ground")
-    feet = studio.session.stage.performer.foot_points
+    until(lambda: studio.session.stage.ground.height == 0.25, "the raised ground")
+    with studio.session.lock:
+        feet = studio.session.stage.performer.foot_points
     assert feet[..., 1].min() == pytest.approx(0.25, abs=0.06)
+
+
+def put_something_on_the_ground(studio: Any, page: Any) -> None:
+    page.select_option("#ground-kind", "stairs")
+    page.fill("#ahead", "0.1")
+    until(lambda: "10 %" in page.inner_text("#ahead-now"), "the tilted ground")
+    parts = studio.session.stage.performer.ground.parts
+    assert [type(part).__name__ for part in parts] == ["Plane", "Stairs", "Stairs"]
+    page.select_option("#ground-kind", "level")
+    until(lambda: studio.session.stage.asked.kind == "level", "the ground without stairs")
+    page.fill("#ahead", "0")
+    until(lambda: studio.session.stage.ground.slope == (0.0, 0.0), "the level ground")
 
 
 def record_and_open_again(studio: Any, page: Any, folder: Path) -> None:
@@ -135,15 +160,16 @@ def record_and_open_again(studio: Any, page: Any, folder: Path) -> None:
     scenario = load_scenario(folder / "first try.toml")
     performance = perform(scenario)
     assert performance.lifts[-1] == 0.25
+    before = studio.session.stage.performer
     page.evaluate("studio.say('open', {file: 'first try.toml'})")
-    until(lambda: studio.session.script or studio.session.stage.begun, "the opened take")
-    until(lambda: not studio.session.script, "the end of the replay")
+    stage = studio.session.stage
+    until(lambda: stage.performer is not before and stage.begun, "the opened take")
+    until(lambda: not studio.session.script, "the last cue of the replay")
     with studio.session.lock:
-        performer = studio.session.stage.performer
-        frame = performer.frame
-        if frame < performance.recording.frames:
-            told = performance.recording.world_positions[frame]
-            np.testing.assert_array_equal(performer.positions, told)
+        frame = stage.performer.frame
+        assert frame < performance.recording.frames
+        told = performance.recording.world_positions[frame]
+        np.testing.assert_array_equal(stage.performer.positions, told)
     for form in ("bvh", "glb", "picture"):
         page.click("#save summary")
         page.fill("#take", "first try")
@@ -151,6 +177,20 @@ def record_and_open_again(studio: Any, page: Any, folder: Path) -> None:
     for suffix in ("bvh", "glb", "png"):
         until((folder / f"first try.{suffix}").exists, suffix)
     assert (folder / "first try.png").read_bytes()[:4] == b"\x89PNG"
+
+
+@pytest.mark.full
+def test_a_character_in_its_skin_is_chosen_and_let_go(tmp_path: Path) -> None:
+    save_gltf(sample("walk")[0], tmp_path / "hero.glb")
+    with studio_in_browser(tmp_path, files=["sample:walk"]) as (studio, page):
+        for body in ("hero.glb", "child", "hero.glb"):
+            page.select_option("#body", body)
+            until(lambda name=body: page.evaluate("studio.known.state.body") == name, body)
+            page.keyboard.press("1")
+            until(lambda: studio.session.stage.begun, "the walk")
+            assert (studio.session.skin is None) == (body == "child")
+        # The scene has drawn all that: an error of its page would fail this test.
+        until(lambda: studio.session.stage.performer.frame > 60, "a second")
 
 
 @pytest.mark.full
@@ -169,8 +209,14 @@ def test_nothing_is_cut_and_nothing_overlaps_in_any_view(
         page.keyboard.press("6")
         page.wait_for_timeout(1500)
         page.keyboard.press(" ")
-        for view in ("stage", "card", "menu", "supports", "crowd"):
-            if view == "card":
+        for view in ("stage", "ground", "card", "menu", "supports", "crowd"):
+            if view == "ground":
+                page.select_option("#ground-kind", "stairs")
+                page.fill("#aside", "0.06")
+                page.keyboard.press(" ")
+                page.wait_for_timeout(3200)
+                page.keyboard.press(" ")
+            elif view == "card":
                 page.click(".card .more")
             elif view == "menu":
                 page.click("#save summary")

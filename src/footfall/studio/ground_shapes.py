@@ -92,7 +92,7 @@ def _extruded(profile: Positions, half: float) -> Shape:
                 corners = [[start[0], low, start[2]], start, end, [end[0], low, end[2]]]
                 quads.append(np.array(corners)[::order])
     first = 4 * np.arange(len(quads))[:, np.newaxis]
-    faces = np.concatenate([first + np.array(half_of) for half_of in ((0, 2, 1), (0, 3, 2))])
+    faces = np.concatenate([first + np.array(half_of) for half_of in ((0, 1, 2), (0, 2, 3))])
     edges = np.stack([left, right], axis=1)[: count - 2]
     rims = [np.stack([side[: count - 3], side[1 : count - 2]], axis=1) for side in (left, right)]
     return Shape(np.concatenate(quads), faces, np.concatenate([edges, *rims]) + ABOVE)
