@@ -8,8 +8,10 @@ from typing import Any
 
 import numpy as np
 
+from footfall.adaptation import Plane, ground_heights
 from footfall.arrays import Floats, Positions
 from footfall.detection import detect_contacts
+from footfall.geometry import rotate
 from footfall.motion import with_soles
 from footfall.report import (
     MethodReport,
@@ -112,8 +114,9 @@ def performance_trace(performance: Performance) -> Trace:
     resting = np.clip(1.0 - recording.shares.sum(axis=1, keepdims=True), 0.0, 1.0)
     shares = np.concatenate([recording.shares, resting], axis=1)
     shares /= shares.sum(axis=1, keepdims=True)
+    positions, ground, displacement = _on_its_ground(performance)
     return Trace(
-        positions=_over_first_ground(performance),
+        positions=positions,
         rotations=recording.world_rotations,
         anatomy=performance.anatomy,
         fps=recording.fps,
@@ -121,15 +124,31 @@ def performance_trace(performance: Performance) -> Trace:
         shares=shares,
         moving=recording.moving,
         rates=_mean_rates(recording.rates, recording.shares),
-        ground=performance.ground,
+        ground=ground,
+        surface_displacement=displacement,
     )
 
 
-def _over_first_ground(performance: Performance) -> Positions:
-    """Return the joints as seen from the ground, which may have risen: it stays where it was."""
-    positions = performance.recording.world_positions.copy()
-    positions[..., 1] -= performance.lifts[:, np.newaxis]
-    return positions
+def _on_its_ground(
+    performance: Performance,
+) -> tuple[Positions, Floats | float, Positions | None]:
+    """Return the joints, the ground, and how it has moved, as a trace has them."""
+    recording = performance.recording
+    positions = recording.world_positions.copy()
+    if all(isinstance(one, Plane) and one.slope == (0.0, 0.0) for one in performance.grounds):
+        # Level ground that rises is seen from itself: it stays where it was.
+        positions[..., 1] -= performance.lifts[:, np.newaxis]
+        return positions, performance.ground, None
+    legs = performance.anatomy.legs
+    joints = np.array([[leg.heel.joint, leg.toe.joint] for leg in legs])
+    offsets = np.array([[leg.heel.offset, leg.toe.offset] for leg in legs])
+    points = positions[:, joints] + rotate(recording.world_rotations[:, joints], offsets)
+    heights = [
+        ground_heights(ground, points[frame], np.full((2, 2), frame / recording.fps))
+        for frame, ground in enumerate(performance.grounds)
+    ]
+    carried = np.repeat(recording.carried[:, :, np.newaxis], 2, axis=2)
+    return positions, np.stack(heights), carried
 
 
 def _mean_rates(rates: Floats, shares: Floats) -> Floats:
