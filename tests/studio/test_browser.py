@@ -146,7 +146,8 @@ def move_the_ground(studio: Any, page: Any) -> None:
 
     def stands() -> bool:
         with studio.session.lock:
-            return bool(abs(stage.performer.foot_points[..., 1].min() - 0.25) < 0.03)
+            points = stage.performer.foot_points
+            return bool(abs((points[..., 1] - stage.performer.heights(points)).min()) < 0.01)
 
     until(stands, "a foot on the raised ground")
 

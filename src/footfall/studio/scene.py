@@ -43,6 +43,9 @@ CAMERAS = {
 USUAL_LEG = 0.85
 """Length of a leg that the cameras are meant for [m]."""
 
+FARTHEST_GHOST = 2.5
+"""How far from the body it is drawn at most [m]."""
+
 GHOST_ASIDE = -1.1
 """How far beside the body its ghost is drawn, beyond it as seen by the camera [m]."""
 
@@ -73,6 +76,7 @@ class StudioScene:
         self._world = self._scene.add_frame("/world", show_axes=False)
         self._ground = GroundFigures(self._scene, "/world/ground")
         self._follows = np.zeros(3)
+        self._ghost_shift = np.array([GHOST_ASIDE, 0.0, 0.0])
         self._prints = Footprints(self._scene, "/world/prints")
         self._shown = 0
         self._skins: list[tuple[SkinnedBody, tuple[SkinFigure, SkinFigure]]] = []
@@ -132,6 +136,7 @@ class StudioScene:
         else:
             self._figure, self._ghost = self._skin_figures(skin, body, ghost)
         self._prints.clear()
+        self._ghost_shift = np.array([self._size * GHOST_ASIDE, 0.0, 0.0])
         self._zoom(leg_length(skeleton, anatomy.left))
 
     def _skin_figures(
@@ -170,7 +175,12 @@ class StudioScene:
     def pose_ghost(self, positions: Positions, rotations: Rotations) -> None:
         """Move the ghost, drawn beside where it is."""
         if self._ghost is not None:
-            self._ghost.pose(positions + np.array([self._size * GHOST_ASIDE, 0.0, 0.0]), rotations)
+            away = positions[0] + self._ghost_shift - self._follows
+            if max(abs(away[0]), abs(away[2])) > self._size * FARTHEST_GHOST:
+                # It has gone its own way: it goes on beside the body.
+                self._ghost_shift = (self._follows - positions[0]) * np.array([1.0, 0.0, 1.0])
+                self._ghost_shift[0] += self._size * GHOST_ASIDE
+            self._ghost.pose(positions + self._ghost_shift, rotations)
 
     def pose_crowd(self, positions: Positions, rotations: Rotations, shifts: Positions) -> None:
         """Move the crowd; see `CrowdFigures.pose`."""
