@@ -136,8 +136,8 @@ class StudioScene:
         else:
             self._figure, self._ghost = self._skin_figures(skin, body, ghost)
         self._prints.clear()
-        self._ghost_shift = np.array([self._size * GHOST_ASIDE, 0.0, 0.0])
         self._zoom(leg_length(skeleton, anatomy.left))
+        self._ghost_shift = np.array([self._size * GHOST_ASIDE, 0.0, 0.0])
 
     def _skin_figures(
         self, skin: SkinnedBody, body: str, ghost: str
