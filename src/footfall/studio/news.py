@@ -43,9 +43,7 @@ def state_json(session: Session) -> Json:
         "ghost": session.ghost,
         "recording": session.stage.begun,
         "cards": [
-            card_json(card, str(loaded[card.name].motion.supports), cyclic)
-            for card in session.stage.cards
-            for cyclic in (loaded[card.name].motion.clip.cyclic,)
+            card_json(card, loaded[card.name].motion.supports) for card in session.stage.cards
         ],
         "motions": [
             {

@@ -13,7 +13,7 @@ from footfall.studio.card import Card
 from footfall.studio.editor import SupportEditor
 from footfall.studio.performer import Performer
 from footfall.studio.stage import Stage
-from footfall.support import Support
+from footfall.support import Support, SupportSequence
 
 __all__ = ["bands_json", "card_json", "clip_json", "edit_json", "symbol", "tick_json"]
 
@@ -23,15 +23,15 @@ HELD_RATE = 0.9
 Json = dict[str, Any]
 
 
-def card_json(card: Card, supports: str, cyclic: bool) -> Json:
+def card_json(card: Card, supports: SupportSequence) -> Json:
     """Return a card's settings."""
     return {
         "name": card.name,
         "priority": card.priority,
         "fadeIn": card.fades[0],
         "fadeOut": card.fades[1],
-        "supports": supports,
-        "cyclic": cyclic,
+        "supports": str(supports),
+        "cyclic": supports.cyclic,
     }
 
 
