@@ -11,9 +11,8 @@ import numpy as np
 import pytest
 from tests.real.test_supports import FOLDER, opened, records
 
-from footfall.cli.measuring import performance_trace
 from footfall.motion import Clip
-from footfall.report import Track, clip_trace, measure_spans
+from footfall.report import Track, clip_trace, measure_spans, performance_trace
 from footfall.scenario.cue_sheet import ActionEntry, Cue, Scenario
 from footfall.scenario.performance import Performance, perform
 

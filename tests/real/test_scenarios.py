@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from footfall.arrays import Floats
-from footfall.cli.measuring import Comparison, compare, performance_trace
+from footfall.cli.measuring import Comparison, compare
 from footfall.report import (
     Group,
     SourceSlips,
@@ -20,6 +20,7 @@ from footfall.report import (
     Track,
     mean_source_slips,
     measure_spans,
+    performance_trace,
     text_table,
 )
 from footfall.report.track import resampled_labels

@@ -85,6 +85,24 @@ def test_held_phases_are_hatched_and_others_are_not() -> None:
         assert svg.count('fill="url(#timeline-held)"') == hatched
 
 
+@pytest.mark.parametrize(
+    ("name", "told", "begins"),
+    [
+        ("walk", "walk", 132.0),
+        ("a walk that turns round", "a walk that turns round", 222.0),
+        ("16_15_walk_with_a_turn_to_the_left_and_a_stop", "16_15_walk_with_a_turn_to_th…", 300.0),
+        ("歩く" * 20, "歩く" * 8 + "…", 300.0),
+    ],
+)
+def test_lanes_begin_behind_the_longest_name(name: str, told: str, begins: float) -> None:
+    lane = ActionLane(name, (LanePhase("R", 0.0, 1.0),), np.ones(60))
+    svg = timeline_svg(Timeline(60.0, "R" * 60, (lane,)))
+    assert f">{told}</text>" in svg
+    assert float(re.findall(r'data-left="([\d.]+)"', svg)[0]) == pytest.approx(begins, abs=12.0)
+    lines = [float(x) for x in re.findall(r'<line x1="([\d.]+)"[^>]*class="rule"', svg)]
+    assert min(lines) == float(re.findall(r'data-left="([\d.]+)"', svg)[0])
+
+
 def test_every_support_has_its_own_color() -> None:
     assert len(set(SUPPORT_COLORS.values())) == 4
 

@@ -8,13 +8,12 @@ from typing import Annotated
 from cyclopts import Parameter
 
 from footfall.cli.demo_scenario import folder_scenario, sample_scenario
-from footfall.cli.lanes import performance_timeline
-from footfall.cli.measuring import Comparison, compare, performance_trace, report_json, report_of
+from footfall.cli.measuring import Comparison, compare, report_json, report_of
 from footfall.cli.outputs import save_motion, write_json
 from footfall.cli.staging import starts_text
 from footfall.errors import FileFormatError
 from footfall.io import write_atomically
-from footfall.report import text_table
+from footfall.report import performance_trace, text_table
 from footfall.scenario.cue_sheet import Scenario
 from footfall.scenario.performance import (
     Performance,
@@ -23,7 +22,14 @@ from footfall.scenario.performance import (
     played_supports,
     support_text,
 )
-from footfall.view import DemoPage, demo_page_html, foot_traces_svg, timeline_svg, write_demo_page
+from footfall.view import (
+    DemoPage,
+    demo_page_html,
+    foot_traces_svg,
+    performance_timeline,
+    timeline_svg,
+    write_demo_page,
+)
 
 __all__ = ["demo", "take_page"]
 

@@ -8,21 +8,18 @@ from typing import Any
 
 import numpy as np
 
-from footfall.adaptation import Plane, ground_heights
-from footfall.arrays import Floats, Positions
 from footfall.detection import detect_contacts
-from footfall.geometry import rotate
 from footfall.motion import with_soles
 from footfall.report import (
     MethodReport,
     Pops,
     SourceSlips,
-    Trace,
     Track,
     clip_trace,
     joint_pops,
     mean_source_slips,
     measure,
+    performance_trace,
 )
 from footfall.scenario.cue_sheet import Scenario
 from footfall.scenario.motions import Motion
@@ -33,7 +30,6 @@ __all__ = [
     "Comparison",
     "compare",
     "motion_report",
-    "performance_trace",
     "report_json",
     "report_of",
 ]
@@ -106,60 +102,6 @@ def _measured(performance: Performance, sources: _Sources) -> MethodReport:
         source_slips=mean_source_slips(sources.slips, times, recording.shares),
         source_pops=sources.pops,
     )
-
-
-def performance_trace(performance: Performance) -> Trace:
-    """Return a performance as the measures see it; the neutral motion is the last share."""
-    recording = performance.recording
-    resting = np.clip(1.0 - recording.shares.sum(axis=1, keepdims=True), 0.0, 1.0)
-    shares = np.concatenate([recording.shares, resting], axis=1)
-    shares /= shares.sum(axis=1, keepdims=True)
-    positions, ground, displacement = _on_its_ground(performance)
-    return Trace(
-        positions=positions,
-        rotations=recording.world_rotations,
-        anatomy=performance.anatomy,
-        fps=recording.fps,
-        supports=performance.supports,
-        shares=shares,
-        moving=recording.moving,
-        rates=_mean_rates(recording.rates, recording.shares),
-        ground=ground,
-        surface_displacement=displacement,
-    )
-
-
-def _on_its_ground(
-    performance: Performance,
-) -> tuple[Positions, Floats | float, Positions | None]:
-    """Return the joints, the ground, and how it has moved, as a trace has them."""
-    recording = performance.recording
-    positions = recording.world_positions.copy()
-    if all(isinstance(one, Plane) and one.slope == (0.0, 0.0) for one in performance.grounds):
-        # Level ground that rises is seen from itself: it stays where it was.
-        positions[..., 1] -= performance.lifts[:, np.newaxis]
-        return positions, performance.ground, None
-    legs = performance.anatomy.legs
-    joints = np.array([[leg.heel.joint, leg.toe.joint] for leg in legs])
-    offsets = np.array([[leg.heel.offset, leg.toe.offset] for leg in legs])
-    points = positions[:, joints] + rotate(recording.world_rotations[:, joints], offsets)
-    heights = [
-        ground_heights(ground, points[frame], np.full((2, 2), frame / recording.fps))
-        for frame, ground in enumerate(performance.grounds)
-    ]
-    carried = np.repeat(recording.carried[:, :, np.newaxis], 2, axis=2)
-    return positions, np.stack(heights), carried
-
-
-def _mean_rates(rates: Floats, shares: Floats) -> Floats:
-    """Return the weighted mean rate of what plays, 1 where nothing does, shape (frames,).
-
-    A clip that is over plays no more: what still moves there is the fade.
-    """
-    weights = np.where(np.isfinite(rates) & (rates > 0.0), shares, 0.0)
-    total = weights.sum(axis=1)
-    summed = (np.nan_to_num(rates) * weights).sum(axis=1)
-    return np.where(total > 1e-9, summed / np.where(total > 1e-9, total, 1.0), 1.0)
 
 
 def motion_report(motion: Motion) -> MethodReport:

@@ -3,6 +3,7 @@
 from footfall.view.foot_traces import foot_traces_svg
 from footfall.view.lanes import ActionLane, CueMark, LanePhase, Timeline
 from footfall.view.page import DemoPage, demo_page_html, write_demo_page
+from footfall.view.performed_lanes import performance_timeline
 from footfall.view.strip import strip_svg
 from footfall.view.timeline import timeline_svg
 
@@ -14,6 +15,7 @@ __all__ = [
     "Timeline",
     "demo_page_html",
     "foot_traces_svg",
+    "performance_timeline",
     "strip_svg",
     "timeline_svg",
     "write_demo_page",

@@ -6,11 +6,12 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from footfall.arrays import Floats, Indices
+from footfall.arrays import Indices
 from footfall.errors import ArgumentError
-from footfall.report import RATE, Trace, Track
+from footfall.report import RATE, Trace
 from footfall.view.palette import SLIP
 from footfall.view.stage import Stage
+from footfall.view.stick_figures import StickFigures
 from footfall.view.svg import Picture
 
 __all__ = ["strip_svg"]
@@ -23,9 +24,6 @@ TALLEST = 230.0
 
 SPACING = 32.0
 """Least mean distance between two figures [pixels]."""
-
-_SHORTEST_BONE = 0.02
-_HEAD_RADIUS = 0.095
 
 
 def strip_svg(
@@ -58,7 +56,7 @@ def strip_svg(
         base = 40.0 + (index + 1) * panel - 22.0
         picture.words(20, base - tallest * scale - 12, title, size=15, font_weight="600")
         picture.line(MARGIN, base, WIDTH - MARGIN, base, class_="softpen", stroke_width=1.2)
-        figures = _Figures(trace, parents, stage, (start, scale, base))
+        figures = StickFigures(trace, parents, stage, (start, MARGIN, scale, base))
         for frame in range(0, figures.frames, max(1, round(seconds * RATE))):
             figures.draw(picture, frame)
     return picture.to_svg()
@@ -75,54 +73,3 @@ def _legend(picture: Picture, seconds: float) -> None:
     picture.words(20, 28, text, size=17, font_weight="600")
     picture.line(560, 23, 584, 23, stroke=SLIP, stroke_width=3, stroke_linecap="round")
     picture.words(592, 27, "in transition: weights move", class_="soft")
-
-
-class _Figures:
-    """Draws the figures of one motion; `frame` is where its row starts, scale, and base."""
-
-    def __init__(
-        self, trace: Trace, parents: Indices, stage: Stage, frame: tuple[float, float, float]
-    ) -> None:
-        start, scale, base = frame
-        track = Track.from_trace(trace)
-        self.x: Floats = MARGIN + (stage.along(track.joints) - start) * scale
-        self.y: Floats = base - track.joints[..., 1] * scale
-        self.scale = scale
-        self.frames = track.frames
-        self.moving = track.moving
-        self.head = trace.anatomy.head
-        self.left = set(_descendants(parents, trace.anatomy.left.hip))
-        lengths = np.linalg.norm(trace.positions[0] - trace.positions[0][parents], axis=-1)
-        lengths[0] = 0.0
-        hand = {j for arm in trace.anatomy.arms if arm for j in _descendants(parents, arm.wrist)}
-        self.bones = [
-            (joint, int(parents[joint]))
-            for joint in np.flatnonzero(lengths > _SHORTEST_BONE).tolist()
-            if joint not in hand or joint in {a.wrist for a in trace.anatomy.arms if a}
-        ]
-
-    def draw(self, picture: Picture, frame: int) -> None:
-        """Draw the figure of a frame; the far leg lies behind and is paler."""
-        color = {"stroke": SLIP} if self.moving[frame] else {"class_": "pen"}
-        picture.open("g", stroke_width=2.2, stroke_linecap="round", fill="none", **color)
-        for joint, parent in sorted(self.bones, key=lambda bone: bone[0] not in self.left):
-            picture.line(
-                self.x[frame, parent],
-                self.y[frame, parent],
-                self.x[frame, joint],
-                self.y[frame, joint],
-                opacity=0.45 if joint in self.left else None,
-            )
-        if self.head is not None:
-            x, y = self.x[frame, self.head], self.y[frame, self.head]
-            radius = _HEAD_RADIUS * self.scale
-            picture.add("circle", cx=x, cy=y - radius, r=radius)
-        picture.close("g")
-
-
-def _descendants(parents: Indices, joint: int) -> list[int]:
-    found = [joint]
-    for child in range(joint + 1, len(parents)):
-        if int(parents[child]) in found:
-            found.append(child)
-    return found

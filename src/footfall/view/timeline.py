@@ -3,20 +3,26 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 import numpy as np
 
 from footfall.view.lanes import ActionLane, CueMark, LanePhase, Timeline
 from footfall.view.palette import SUPPORT_COLORS, SUPPORT_NAMES, readable_symbol
 from footfall.view.svg import Picture, points_text
+from footfall.view.text_width import shortened, text_width
 
 __all__ = ["runs", "timeline_svg"]
 
 WIDTH = 1200.0
-LEFT, RIGHT = 132.0, 24.0
+LEFT, WIDEST_LEFT, RIGHT = 132.0, 300.0, 24.0
+NAME = 14.0
+"""Size of the lanes' names [pixels]."""
+
 TOP = 58.0
 LANE = 46.0
 GAP = 16.0
+LEGEND = 172.0
 BAR = 34.0
 
 _ON_COLOR = "#10151a"
@@ -31,18 +37,19 @@ def timeline_svg(timeline: Timeline) -> str:
 
     A bar is as high as its action's weight; hatching marks phases that were made to wait.
     """
+    scale = _Scale.of(timeline)
     height = TOP + (len(timeline.lanes) + 1) * (LANE + GAP) + 34.0
     picture = Picture("timeline", "What played when, and on which foot", WIDTH, height)
     picture.words(20, 28, "Schedule", size=17, font_weight="600")
     _hatching(picture)
     _legend(picture)
-    _axis(picture, timeline, height)
+    _axis(picture, scale, height)
     for row, lane in enumerate(timeline.lanes):
-        _draw_lane(picture, timeline, lane, TOP + row * (LANE + GAP))
-    _draw_result(picture, timeline, TOP + len(timeline.lanes) * (LANE + GAP))
+        _draw_lane(picture, scale, lane, TOP + row * (LANE + GAP))
+    _draw_result(picture, scale, TOP + len(timeline.lanes) * (LANE + GAP))
     return picture.to_svg(
         duration=f"{timeline.duration:.4f}",
-        left=LEFT,
+        left=scale.left,
         right=WIDTH - RIGHT,
         top=TOP - 14.0,
         bottom=height - 28.0,
@@ -63,7 +70,7 @@ def _hatching(picture: Picture) -> None:
 
 
 def _legend(picture: Picture) -> None:
-    x = LEFT + 40.0
+    x = LEGEND
     for symbol, name in SUPPORT_NAMES.items():
         picture.rectangle(x, 16, 18, 14, rx=3, fill=SUPPORT_COLORS[symbol])
         _letter(picture, x + 9, 27, symbol, 11)
@@ -78,31 +85,50 @@ def _legend(picture: Picture) -> None:
     picture.words(x + 242, 27.5, "stop, and the delay until it comes about", class_="soft")
 
 
-def _at(timeline: Timeline, seconds: float) -> float:
-    """Return the x of a clock time."""
-    share = min(max(seconds / timeline.duration, 0.0), 1.0)
-    return LEFT + share * (WIDTH - LEFT - RIGHT)
+@dataclass(frozen=True, slots=True)
+class _Scale:
+    """Where clock times lie."""
+
+    timeline: Timeline
+    left: float
+    """The x of time 0: the names of the lanes stand before it."""
+
+    @classmethod
+    def of(cls, timeline: Timeline) -> _Scale:
+        widest = max([text_width(lane.name, NAME, bold=True) for lane in timeline.lanes], default=0)
+        return cls(timeline, min(max(LEFT, 20.0 + widest + 16.0), WIDEST_LEFT))
+
+    def at(self, seconds: float) -> float:
+        """Return the x of a clock time."""
+        share = min(max(seconds / self.timeline.duration, 0.0), 1.0)
+        return self.left + share * (WIDTH - self.left - RIGHT)
+
+    def write_name(self, picture: Picture, name: str, y: float) -> None:
+        """Write the name of a lane, shortened where there is no room for it."""
+        told = shortened(name, self.left - 36.0, NAME, bold=True)
+        picture.words(20, y, told, size=NAME, font_weight="600")
 
 
-def _axis(picture: Picture, timeline: Timeline, height: float) -> None:
+def _axis(picture: Picture, scale: _Scale, height: float) -> None:
+    timeline = scale.timeline
     step = next((s for s in (0.1, 0.25, 0.5, 1.0, 2.0, 5.0) if timeline.duration / s <= 16), 10.0)
     bottom = height - 28.0
     for tick in range(int(timeline.duration / step + 1e-6) + 1):
-        x = _at(timeline, tick * step)
+        x = scale.at(tick * step)
         picture.line(x, TOP - 14, x, bottom, class_="rule", stroke_width=1)
         label = f"{tick * step:g}" + (" s" if tick == 0 else "")
         picture.words(x, bottom + 17, label, text_anchor="middle", class_="soft")
 
 
-def _draw_lane(picture: Picture, timeline: Timeline, lane: ActionLane, top: float) -> None:
-    base = top + LANE
-    picture.words(20, base - 13, lane.name, size=14, font_weight="600")
-    picture.line(LEFT, base, WIDTH - RIGHT, base, class_="rule", stroke_width=1)
+def _draw_lane(picture: Picture, scale: _Scale, lane: ActionLane, top: float) -> None:
+    timeline, base = scale.timeline, top + LANE
+    scale.write_name(picture, lane.name, base - 13)
+    picture.line(scale.left, base, WIDTH - RIGHT, base, class_="rule", stroke_width=1)
     for phase in lane.phases:
-        left, right = _at(timeline, phase.start), _at(timeline, phase.end)
+        left, right = scale.at(phase.start), scale.at(phase.end)
         if right - left < 0.05:
             continue
-        outline = points_text(_weight_outline(timeline, lane, phase, base))
+        outline = points_text(_weight_outline(scale, lane, phase, base))
         picture.rectangle(
             left, base - BAR, right - left, BAR, fill=SUPPORT_COLORS[phase.symbol], opacity=0.16
         )
@@ -116,13 +142,14 @@ def _draw_lane(picture: Picture, timeline: Timeline, lane: ActionLane, top: floa
             fill = _ON_COLOR if weight > 0.4 else None
             _letter(picture, (left + right) / 2, base - 5, phase.symbol, 12, fill)
     for cue in lane.cues:
-        _draw_cue(picture, timeline, cue, base - BAR - 7)
+        _draw_cue(picture, scale, cue, base - BAR - 7)
 
 
 def _weight_outline(
-    timeline: Timeline, lane: ActionLane, phase: LanePhase, base: float
+    scale: _Scale, lane: ActionLane, phase: LanePhase, base: float
 ) -> list[tuple[float, float]]:
     """Return the outline of a phase whose height follows the weight."""
+    timeline = scale.timeline
     frames = np.arange(len(timeline.supports)) / timeline.fps
     inside = frames[(frames > phase.start) & (frames < phase.end)]
     times = np.concatenate([[phase.start], inside, [phase.end]])
@@ -130,7 +157,7 @@ def _weight_outline(
     straight = np.abs(heights[:-2] - 2.0 * heights[1:-1] + heights[2:]) < 1e-3
     kept = np.concatenate([[True], ~straight, [True]])
     top = [
-        (_at(timeline, time), base - height)
+        (scale.at(time), base - height)
         for time, height in zip(times[kept].tolist(), heights[kept].tolist(), strict=True)
     ]
     return [(top[0][0], base), *top, (top[-1][0], base)]
@@ -158,27 +185,27 @@ def _mark(picture: Picture, kind: str, x: float, y: float) -> None:
         picture.rectangle(x - 4, y - 4, 8, 8, class_="ink")
 
 
-def _draw_cue(picture: Picture, timeline: Timeline, cue: CueMark, y: float) -> None:
+def _draw_cue(picture: Picture, scale: _Scale, cue: CueMark, y: float) -> None:
     """Mark a command, with an arrow to when it came about if that was later."""
-    x = _at(timeline, cue.commanded)
+    x = scale.at(cue.commanded)
     _mark(picture, cue.kind, x, y)
     if cue.actual is None:
         picture.words(x + 9, y + 4, "never", size=11, class_="soft")
         return
     delay = cue.actual - cue.commanded
-    if delay < 0.5 / timeline.fps + 1e-9:
+    if delay < 0.5 / scale.timeline.fps + 1e-9:
         return
-    end = max(_at(timeline, cue.actual), x + 12.0)
+    end = max(scale.at(cue.actual), x + 12.0)
     picture.line(x + 6, y, end - 4, y, class_="softpen", stroke_width=1.4)
     picture.area([(end - 5, y - 3.5), (end - 5, y + 3.5), (end, y)], class_="soft")
     picture.words(end + 4, y + 4, f"+{delay:.2f} s", size=11, class_="soft")
 
 
-def _draw_result(picture: Picture, timeline: Timeline, top: float) -> None:
-    base = top + LANE
-    picture.words(20, base - 13, "result", size=14, font_weight="600")
+def _draw_result(picture: Picture, scale: _Scale, top: float) -> None:
+    timeline, base = scale.timeline, top + LANE
+    scale.write_name(picture, "result", base - 13)
     for symbol, first, last in runs(timeline.supports):
-        left, right = (_at(timeline, frame / timeline.fps) for frame in (first, last))
+        left, right = (scale.at(frame / timeline.fps) for frame in (first, last))
         picture.rectangle(left, base - BAR, right - left, BAR, fill=SUPPORT_COLORS[symbol])
         if right - left >= 15:
             _letter(picture, (left + right) / 2, base - BAR / 2 + 5, symbol, 13)

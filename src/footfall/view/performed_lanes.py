@@ -7,7 +7,7 @@ from itertools import pairwise
 import numpy as np
 
 from footfall.scenario.performance import Performance, support_text
-from footfall.view import ActionLane, CueMark, LanePhase, Timeline
+from footfall.view.lanes import ActionLane, CueMark, LanePhase, Timeline
 
 __all__ = ["performance_timeline"]
 
