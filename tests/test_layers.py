@@ -37,10 +37,11 @@ MAY_IMPORT: dict[str, frozenset[str]] = {
     "scenario": _ALL_BUT_FACES,
     "report": _ALL_BUT_FACES,
     "view": _ALL_BUT_FACES | {"report"},
+    "figures": _ALL_BUT_FACES | {"report", "view"},
     "robots": _BODIES | {"io"},
     "datasets": _ALL_BUT_FACES | {"report", "view"},
     "studio": _ALL_BUT_FACES | {"report", "view"},
-    "cli": _ALL_BUT_FACES | {"report", "studio", "view", "datasets", "robots", "footfall"},
+    "cli": _ALL_BUT_FACES | {"report", "studio", "view", "datasets", "figures", "robots", "footfall"},
     "__main__": frozenset({"cli"}),
     "footfall": _ALL_BUT_FACES | {"report"},
 } | dict.fromkeys(OPEN, _NOBODY)

@@ -28,6 +28,7 @@ LEAVES = frozenset(
         "cli",
         "datasets",
         "detection",
+        "figures",
         "io",
         "report",
         "robots",
