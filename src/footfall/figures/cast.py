@@ -1,4 +1,4 @@
-"""Who plays which part in the figures: the samples, or motions of a folder named after the parts."""
+"""Who plays which part in the figures: the samples, or motions named after the parts."""
 
 from __future__ import annotations
 

@@ -39,7 +39,10 @@ def locomotion_figure(cast: Cast) -> Figure:
     begins = _first_single(supports)
     shown = CYCLES * walk.clip.duration
     title = "Support phases of a locomotion"
-    note = "Above: the phases that the detector finds in the clip; below: when each foot strikes and leaves"
+    note = (
+        "Above: the phases that the detector finds in the clip; "
+        "below: when each foot strikes and leaves"
+    )
     picture = begin_sheet(3, title, note, 470.0)
     axis = TimeAxis(LEFT + 66.0, WIDTH - LEFT - 44.0, shown, begins)
     draw_band(picture, axis, timed_phases(supports, axis.end), TOP + 6.0)

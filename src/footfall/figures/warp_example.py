@@ -1,4 +1,4 @@
-"""The time warp of a run that is played together with a handball shot: what figures 10 and 12 draw."""
+"""The time warp of a run that plays together with a handball shot, for figures 10 to 12."""
 
 from __future__ import annotations
 
