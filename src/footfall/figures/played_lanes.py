@@ -35,9 +35,12 @@ def draw_result(
     draw_band(picture, axis, phases, top, height)
 
 
-def draw_mark(picture: Picture, x: float, y: float) -> None:
-    """Draw the sign of a start command, its point down."""
-    picture.area([(x - 6, y - 10), (x + 6, y - 10), (x, y)], class_="ink")
+def draw_mark(picture: Picture, x: float, y: float, *, stop: bool = False) -> None:
+    """Draw the sign of a start command, its point down on a lane, or of a stop."""
+    if stop:
+        picture.rectangle(x - 5, y - 11, 10, 10, class_="ink")
+    else:
+        picture.area([(x - 6, y - 10), (x + 6, y - 10), (x, y)], class_="ink")
 
 
 def longest_stretch(lane: ActionLane, axis: TimeAxis) -> float:

@@ -60,7 +60,7 @@ def _draw_row(picture: Picture, performance: Performance, asked: float, top: flo
     y = bands + 2 * (BAND + 3) + 3
     picture.words(LEFT, y + 17, "result", size=15, class_="soft")
     draw_result(picture, axis, timeline, y, BAND)
-    draw_mark(picture, axis.x(asked), bands + BAND + 1)
+    draw_mark(picture, axis.x(asked), bands - 1)
     start = performance.starts[-1]
     if start.actual is None:
         return f"Commanded at {asked:.2f} s: never started: {start.reason}."

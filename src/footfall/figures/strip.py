@@ -91,7 +91,7 @@ def draw_band(
             continue
         picture.rectangle(left, top, right - left, height, fill=color_of(support))
         picture.line(left, top, left, top + height, class_="rule", stroke_width=1.5)
-        if right - left > 24:
+        if right - left > 30:
             picture.words(
                 (left + right) / 2,
                 top + height / 2 + 6,

@@ -6,7 +6,7 @@ from footfall.engine import Character, Impossible, Started, Waiting
 from footfall.figures.cast import Cast
 from footfall.figures.cells import define_hatching
 from footfall.figures.figure import LEFT, TOP, WIDTH, Figure, begin_sheet
-from footfall.figures.performing import perform_cues
+from footfall.figures.performing import Cues, perform_cues
 from footfall.figures.played_lanes import draw_lane, draw_mark, draw_result
 from footfall.figures.strip import TimeAxis, draw_band, draw_poses, timed_phases
 from footfall.report import clip_trace
@@ -26,8 +26,8 @@ LONGEST = 4.2
 
 POSES = 15
 BAND = 28.0
-ASKED = 0.6
-"""When the walk-to-hop is commanded beside the left hop [s]."""
+ASKED, LEFT_BEHIND = 0.6, 1.35
+"""When the walk-to-hop is commanded beside the left hop, and when that is stopped [s]."""
 
 
 def walk_to_hop_figure(cast: Cast) -> Figure:
@@ -37,7 +37,7 @@ def walk_to_hop_figure(cast: Cast) -> Figure:
     title = "A walk-to-hop sequence"
     note = (
         "Above: the motion and its phases. "
-        "Below: commanded (triangle) while the character hops on the left foot"
+        "Below: commanded (▾) while the character hops on the left foot, which is then stopped (▪)"
     )
     picture = begin_sheet(14, title, note, 566.0)
     define_hatching(picture)
@@ -84,7 +84,11 @@ def _told(answer: Started | Waiting) -> str:
 
 
 def _draw_beside_hop(picture: Picture, cast: Cast, axis: TimeAxis, top: float) -> None:
-    cues = ((0.0, "start", "left hop"), (ASKED, "start", "walk to hop"))
+    cues: Cues = (
+        (0.0, "start", "left hop"),
+        (ASKED, "start", "walk to hop"),
+        (LEFT_BEHIND, "stop", "left hop"),
+    )
     performance = perform_cues(cast, cues, axis.duration)
     timeline = performance_timeline(performance)
     for row, lane in enumerate(timeline.lanes):
@@ -94,4 +98,5 @@ def _draw_beside_hop(picture: Picture, cast: Cast, axis: TimeAxis, top: float) -
     y = top + 2 * (BAND + 4) + 4
     picture.words(LEFT, y + 19, "result", size=15, class_="soft")
     draw_result(picture, axis, timeline, y, BAND)
-    draw_mark(picture, axis.x(ASKED), top + BAND + 3)
+    draw_mark(picture, axis.x(ASKED), top - 2)
+    draw_mark(picture, axis.x(LEFT_BEHIND), top - 2, stop=True)

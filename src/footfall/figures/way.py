@@ -18,8 +18,8 @@ from footfall.view.svg import Picture
 
 __all__ = ["Way", "apart", "draw_figures", "draw_slides", "every"]
 
-MARGIN = 0.45
-"""How much ground is shown before the first and behind the last place of the pelvis [m]."""
+MARGIN = 0.12
+"""How much ground is shown before the first and behind the last place of any joint [m]."""
 
 TALLEST = 190.0
 """Greatest height of a figure [pixels]."""
@@ -45,7 +45,7 @@ class Way:
     def of(cls, traces: Sequence[Trace], *, tallest: float = TALLEST) -> Way:
         """Return a way that shows all of some motions, figures at most `tallest` pixels high."""
         stage = Stage.of([trace.positions[:, 0] for trace in traces])
-        along = np.concatenate([stage.along(trace.positions[:, 0]) for trace in traces])
+        along = np.concatenate([stage.along(trace.positions).ravel() for trace in traces])
         start, end = float(along.min()) - MARGIN, float(along.max()) + MARGIN
         highest = max(float(trace.positions[..., 1].max()) for trace in traces) + 0.12
         scale = min((WIDTH - 2 * LEFT) / (end - start), tallest / highest)

@@ -14,7 +14,7 @@ from footfall.view.plants import Plant, plants
 from footfall.view.stage import Stage
 from footfall.view.svg import Picture, points_text
 
-__all__ = ["foot_traces_svg"]
+__all__ = ["foot_traces_svg", "shoe_outline"]
 
 WIDTH = 1200.0
 MARGIN = 20.0
@@ -177,7 +177,7 @@ def _draw_panel(picture: Picture, panel: _Panel, frame: _Frame, name: str) -> No
 
 def _draw_plant(picture: Picture, plant: Plant, frame: _Frame) -> None:
     slides = plant.slip > VISIBLE_SLIP
-    outline = points_text(frame.at(_shoe(plant.print)))
+    outline = points_text(frame.at(shoe_outline(plant.print)))
     color = FOOT_COLORS[plant.foot]
     picture.add(
         "polygon", points=outline, fill=color, fill_opacity=0.4 if slides else 0.9, stroke=color
@@ -186,7 +186,7 @@ def _draw_plant(picture: Picture, plant: Plant, frame: _Frame) -> None:
 
 def _draw_streak(picture: Picture, plant: Plant, frame: _Frame) -> None:
     """Draw the way of the ball of the foot, the print where it ended, and the length."""
-    end = points_text(frame.at(_shoe(plant.print + plant.streak[-1])))
+    end = points_text(frame.at(shoe_outline(plant.print + plant.streak[-1])))
     picture.add("polygon", points=end, fill="none", stroke=SLIP, stroke_width=1.2)
     way = frame.at(plant.print[1] + plant.streak)
     picture.path(way, stroke=SLIP, stroke_width=5, stroke_linecap="round", stroke_linejoin="round")
@@ -202,7 +202,7 @@ def _draw_streak(picture: Picture, plant: Plant, frame: _Frame) -> None:
     )
 
 
-def _shoe(foot: Positions) -> Positions:
+def shoe_outline(foot: Positions) -> Positions:
     """Return the outline of a shoe around heel and toe (2, 3), level, shape (points, 3)."""
     way = (foot[1] - foot[0]) * np.array([1.0, 0.0, 1.0])
     length = max(float(np.linalg.norm(way)), 0.06)

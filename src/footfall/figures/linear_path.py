@@ -1,0 +1,137 @@
+"""Figure 15: side step, walk and back walk are mixed, so that a turning body keeps to a line."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from footfall.arrays import Floats
+from footfall.figures.arrows import draw_arrow
+from footfall.figures.axes import Axes
+from footfall.figures.cast import Cast
+from footfall.figures.figure import LEFT, TOP, WIDTH, Figure, begin_sheet
+from footfall.figures.silhouettes import Silhouettes
+from footfall.figures.turning_walk import ROLES, TurningWalk, walk_and_turn
+from footfall.figures.way import Way, apart
+from footfall.report import Track
+from footfall.view.foot_traces import shoe_outline
+from footfall.view.palette import BODY, FOOT_COLORS, SUPPORT_COLORS
+from footfall.view.plants import plants
+from footfall.view.svg import Picture
+
+__all__ = ["linear_path_figure"]
+
+CLAIM = (
+    "Dynamic blending and synchronization: a side step motion and a front/back walk, in order to "
+    "force the avatar’s displacement on a linear path whatever its local orientation."
+)
+_TURN = np.linspace(0.0, 2.0 * np.pi, 25)[:-1]
+_CIRCLE = np.column_stack([np.cos(_TURN), np.sin(_TURN)])
+
+FILLS = (SUPPORT_COLORS["R"], SUPPORT_COLORS["D"], SUPPORT_COLORS["L"])
+"""Of the parts, in their order."""
+
+
+def linear_path_figure(cast: Cast) -> Figure:
+    """Draw the character from the side and from above, and what it is mixed of."""
+    walked = walk_and_turn(cast)
+    title = "On a linear path, whatever the body faces"
+    note = (
+        "The character turns round while walk, side step and back walk are mixed so that it "
+        "keeps to the line; from the side, from above, and the shares"
+    )
+    way = Way.of([walked.trace], tallest=290.0)
+    base = TOP + way.height + 14.0
+    above = base + 128.0
+    picture = begin_sheet(15, title, note, above + 234.0)
+    picture.line(LEFT, base, WIDTH - LEFT, base, class_="softpen", stroke_width=1.2)
+    silhouettes = Silhouettes(walked.trace, walked.recording.skeleton, way, base)
+    for frame in apart(way, walked.trace, 0.42, 1.2):
+        silhouettes.draw(picture, frame)
+    _draw_from_above(picture, way, walked, above)
+    _draw_shares(picture, way, walked, above + 112.0)
+    away = np.abs(walked.roots[:, 0])
+    turn = math.degrees(float(np.ptp(walked.headings)))
+    slip = walked.report.slip.overall
+    facts = (
+        f"The body turns by {turn:.0f}° over {float(np.ptp(walked.roots[:, 1])):.1f} m; "
+        f"its root leaves the line by at most {100.0 * float(away.max()):.1f} cm.",
+        f"Planted feet slip {slip.median or 0.0:.1f} mm in the median, "
+        f"95 % of them at most {slip.p95 or 0.0:.1f} mm.",
+    )
+    return Figure(15, "linear_path", title, CLAIM, facts, picture.to_svg())
+
+
+def _draw_from_above(picture: Picture, way: Way, walked: TurningWalk, middle: float) -> None:
+    """Draw the line, the prints of the feet, the way of the body and where it faces."""
+
+    def at(points: Floats) -> list[tuple[float, float]]:
+        x = way.x(0.0) + way.stage.along(points) * way.scale
+        y = middle - way.stage.leftward(points) * way.scale
+        return list(zip(x.tolist(), y.tolist(), strict=True))
+
+    picture.rectangle(LEFT, middle - 96, WIDTH - 2 * LEFT, 192, rx=6, class_="panel")
+    picture.line(LEFT, middle, WIDTH - LEFT, middle, class_="softpen", stroke_dasharray="2 5")
+    for plant in plants(Track.from_trace(walked.trace)):
+        picture.area(at(shoe_outline(plant.print)), fill=FOOT_COLORS[plant.foot], fill_opacity=0.75)
+    ground = np.array([1.0, 0.0, 1.0])
+    picture.path(at(walked.trace.positions[::2, 0] * ground), stroke=BODY, stroke_width=1.8)
+    for frame in apart(way, walked.trace, 0.42, 1.2):
+        place = walked.trace.positions[frame, 0] * ground
+        heading = float(walked.headings[frame])
+        ahead = np.array([math.sin(heading), 0.0, math.cos(heading)])
+        aside = np.array([ahead[2], 0.0, -ahead[0]])
+        picture.area(at(place + 0.2 * _CIRCLE @ np.array([aside, 0.4 * ahead])), fill=BODY)
+        picture.area(at(place + 0.08 * _CIRCLE @ np.array([aside, ahead])), class_="ink")
+        start, end = at(place + np.array([0.08, 0.36])[:, np.newaxis] * ahead)
+        draw_arrow(picture, start, end, width=2.2)
+
+
+def _draw_shares(picture: Picture, way: Way, walked: TurningWalk, top: float) -> None:
+    """Draw the shares of the parts, one on the other, under where the body was."""
+    recording = walked.recording
+    names = list(recording.actions)
+    shares = np.stack(
+        [
+            recording.shares[:, names.index(role)]
+            + recording.shares[:, names.index(f"{role}, turning")]
+            for role in ROLES
+        ]
+    )
+    along = np.maximum.accumulate(way.stage.along(walked.trace.positions[:, 0]))
+    axes = Axes(
+        way.x(float(along[0])),
+        top,
+        way.x(float(along[-1])) - way.x(float(along[0])),
+        92.0,
+        (float(along[0]), float(along[-1])),
+        (0.0, 1.0),
+    )
+    lower = np.zeros(len(along))
+    for role, share, fill in zip(ROLES, shares, FILLS, strict=True):
+        upper = lower + share
+        kept = slice(None, None, 3)
+        outline = [
+            axes.at(float(x), float(y)) for x, y in zip(along[kept], upper[kept], strict=True)
+        ]
+        outline += [
+            axes.at(float(x), float(y))
+            for x, y in zip(along[kept][::-1], lower[kept][::-1], strict=True)
+        ]
+        picture.area(outline, fill=fill, fill_opacity=0.8)
+        place = int(share.argmax())
+        center = _middle_of_greatest(share)
+        y = axes.y(float((lower[center] + upper[center]) / 2)) + 5
+        if share[place] > 0.25:
+            picture.words(
+                axes.x(float(along[center])), y, role, size=15, text_anchor="middle",
+                font_weight="600", fill="#10151a",
+            )  # fmt: skip
+        lower = upper
+
+
+def _middle_of_greatest(share: Floats) -> int:
+    """Return the middle frame of where a share is near its greatest value."""
+    near = np.flatnonzero(share >= 0.9 * share.max())
+    return int(near[len(near) // 2])
