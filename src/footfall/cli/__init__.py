@@ -13,6 +13,7 @@ from cyclopts import App, CycloptsError
 from footfall.cli.annotating import annotate
 from footfall.cli.converting import convert
 from footfall.cli.demonstration import demo
+from footfall.cli.drawing import figures
 from footfall.cli.fetching import fetch_samples, list_samples
 from footfall.cli.inspection import detect, info
 from footfall.cli.making import clean, edit
@@ -32,6 +33,7 @@ __all__ = [
     "detect",
     "edit",
     "fetch_samples",
+    "figures",
     "info",
     "list_samples",
     "main",
@@ -75,6 +77,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         robot,
         robot_model,
         demo,
+        figures,
         studio,
     ):
         app.command(command)

@@ -75,6 +75,11 @@ class Hills:
         second = np.sin(2.0 * np.pi * z / 1.9 + 0.9 * x)
         return RISE * np.stack([fade * first, 0.45 * fade * second])
 
+    @property
+    def grid(self) -> tuple[float, float, float]:
+        """The x and z of the first height, and the distance between two [m]."""
+        return (-HALF_WIDTH, -MARGIN, SPACING)
+
     def weights(self, time: float) -> tuple[float, float]:
         """Return how much there is of each pattern at a time [s]."""
         if not self.moving:

@@ -44,7 +44,8 @@ class Player {
 
   // State of a foot at a time: whether it is commanded to carry, and how it slides.
   foot(side, time) {
-    const symbol = supportAt(time);
+    const { supports } = this.take;
+    const symbol = supports[clamp(Math.floor(time * data.rate), 0, supports.length - 1)];
     const at = clamp(Math.round(time * data.rate), 0, this.take.slid.length / 2 - 1);
     const slid = this.take.slid[2 * at + side] / 1e4;
     const before = this.take.slid[2 * Math.max(at - 4, 0) + side] / 1e4;

@@ -15,6 +15,7 @@ from footfall.io.flat_toes import flat_toe_turns
 from footfall.io.mannequin import mannequin
 from footfall.report import RATE, Trace, Track
 from footfall.skeleton import Skeleton
+from footfall.support import Support
 from footfall.view.lanes import Timeline
 from footfall.view.plants import Plant, plants
 
@@ -66,6 +67,7 @@ def _take(title: str, trace: Trace, joints: Indices) -> dict[str, Any]:
         "roots": _packed(trace.positions[:, 0], "<f4"),
         "places": _packed(places / _PLACE_UNIT, "<i2"),
         "rotations": _packed(trace.rotations[:, joints] * 32767.0, "<i2"),
+        "supports": "".join(Support(int(of)).symbol for of in track.supports).replace("Err", "-"),
         "moving": _packed(track.moving, "<u1"),
         "slid": _packed(_slid(track.frames, found) * 10_000.0, "<u2"),
         "plants": [_plant(plant) for plant in found],
