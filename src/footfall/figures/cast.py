@@ -8,9 +8,12 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from footfall.errors import ArgumentError, FootfallError, UnknownNameError
+from footfall.motion import Clip
+from footfall.motion.retargeting import map_clip, retarget
 from footfall.samples import sample
 from footfall.scenario.cue_sheet import ActionEntry, Scenario
-from footfall.scenario.motions import SAMPLE, Motion, resolve_motion
+from footfall.scenario.motions import Motion, resolve_motion
+from footfall.sync.tables import check_registration
 
 __all__ = ["ROLES", "Cast", "Role"]
 
@@ -76,11 +79,14 @@ class Cast:
         if not folder.is_dir():
             raise ArgumentError(f"--motions is {folder}; it must be a folder with motions")
         files = sorted(path for path in folder.rglob("*") if path.name.lower().endswith(SUFFIXES))
-        motions = {name: _sampled(role) for name, role in ROLES.items()}
+        motions: dict[str, Motion] = {}
         origins: dict[str, str] = {}
         for name, role in ROLES.items():
+            # The walk is the first of all: everything is played on its body.
+            body = motions["walk"].clip if motions else None
+            motions[name] = _on_body(_sampled(role), body)
             for file in _candidates(files, role):
-                motion = _usable(folder, file, role)
+                motion = _usable(folder, file, role, body)
                 if motion is not None:
                     motions[name], origins[name] = motion, str(file.relative_to(folder))
                     break
@@ -126,16 +132,24 @@ def _words(file: Path) -> list[str]:
     return [word.lower() for word in re.findall(r"[A-Z]?[a-z]+|[A-Z]+", stem)]
 
 
-def _usable(folder: Path, file: Path, role: Role) -> Motion | None:
-    """Return a motion as it plays the part; None if it cannot."""
+def _usable(folder: Path, file: Path, role: Role, body: Clip | None) -> Motion | None:
+    """Return a motion as it plays the part, on the body of a clip; None if it cannot."""
     entry = ActionEntry("part", str(file), cyclic=role.cyclic, clean=True)
     try:
         motion = resolve_motion(entry, Scenario(folder / "cast.toml", (entry,), ()))
+        if len(motion.supports.phases) == 1:
+            return None
+        check_registration(motion.supports)
+        return _on_body(motion, body)
     except FootfallError:
         return None
-    return motion if len(motion.supports.phases) > 1 else None
 
 
-def sample_name(role: str) -> str:
-    """Return what plays a part where no file does, such as ``sample:walk``."""
-    return SAMPLE + ROLES[role].sample
+def _on_body(motion: Motion, body: Clip | None) -> Motion:
+    """Return a motion as the body of a clip performs it."""
+    if body is None:
+        return motion
+    if body.skeleton.same_family(motion.clip.skeleton):
+        return Motion(motion.clip.ordered_like(body.skeleton), motion.supports)
+    body_map = map_clip(motion.clip, body.skeleton, body)
+    return Motion(retarget(motion.clip, body.skeleton, body_map), motion.supports)

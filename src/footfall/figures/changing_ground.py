@@ -47,7 +47,7 @@ MARGIN, SPACING = 1.5, 0.1
 LENGTH, HALF_WIDTH = 15.0, 2.0
 """How far it reaches ahead and to each side [m]."""
 
-RISE, CHANGE = 0.13, 1.9
+RISE, CHANGE = 0.13, 0.7
 """How high the hills are [m], and how fast they come and go [rad/s]."""
 
 
@@ -73,7 +73,8 @@ class Hills:
         fade = np.clip(z / 1.2, 0.0, 1.0) ** 2
         first = np.sin(2.0 * np.pi * z / 3.1) * np.cos(0.5 * x)
         second = np.sin(2.0 * np.pi * z / 1.9 + 0.9 * x)
-        return RISE * np.stack([fade * first, 0.45 * fade * second])
+        patterns: Floats = RISE * np.stack([fade * first, 0.45 * fade * second])
+        return patterns
 
     @property
     def grid(self) -> tuple[float, float, float]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from footfall.arrays import Floats
+from footfall.arrays import Flags, Floats
 from footfall.detection import Contacts, contact_supports, detect_contacts
 from footfall.figures.axes import Axes
 from footfall.figures.cast import Cast
@@ -59,7 +59,7 @@ def detector_figure(cast: Cast) -> Figure:
 
 
 def _draw_curves(
-    picture: Picture, axis: TimeAxis, contacts: Contacts, shown: tuple[Floats, Floats]
+    picture: Picture, axis: TimeAxis, contacts: Contacts, shown: tuple[Floats, Flags]
 ) -> None:
     times, inside = shown
     rows = (

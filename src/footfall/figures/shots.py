@@ -5,7 +5,7 @@ from __future__ import annotations
 from footfall.figures.cast import Cast
 from footfall.figures.cells import define_hatching
 from footfall.figures.figure import LEFT, TOP, WIDTH, Figure, begin_sheet
-from footfall.figures.performing import perform_cues
+from footfall.figures.performing import Cues, perform_cues
 from footfall.figures.played_lanes import draw_lane, draw_mark, draw_result, longest_stretch
 from footfall.figures.strip import TimeAxis, draw_poses
 from footfall.report import performance_trace
@@ -38,7 +38,7 @@ def shots_figure(cast: Cast) -> Figure:
     define_hatching(picture)
     facts: list[str] = []
     for row, asked in enumerate(ASKED):
-        cues = ((0.0, "start", "run"), (asked, "start", "shot"))
+        cues: Cues = ((0.0, "start", "run"), (asked, "start", "shot"))
         performance = perform_cues(cast, cues, asked + AFTER + 0.1, priorities={"shot": 2.0})
         facts.append(_draw_row(picture, performance, asked, TOP + PANEL * row))
     return Figure(13, "shots", title, CLAIM, tuple(facts), picture.to_svg())

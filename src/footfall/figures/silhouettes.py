@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from importlib import import_module
+from typing import Any
 
 import numpy as np
-from scipy.spatial import ConvexHull, QhullError
 
 from footfall.arrays import Floats, Indices
 from footfall.figures.way import Way
@@ -97,8 +98,10 @@ def _groups(joints: Indices, tones: Indices) -> list[tuple[int, int, Indices]]:
 
 def _outline(points: Floats) -> list[tuple[float, float]]:
     """Return the corners of the smallest convex outline around points; three where in line."""
+    # Late: SciPy takes longer to load than all the rest.
+    spatial: Any = import_module("scipy.spatial")
     try:
-        corners = points[ConvexHull(points).vertices]
-    except QhullError:
+        corners: Floats = points[spatial.ConvexHull(points).vertices]
+    except spatial.QhullError:
         corners = points[:3]
     return [(float(x), float(y)) for x, y in corners]

@@ -60,9 +60,10 @@ def turned(motion: Motion, rate: float) -> Motion:
         rate: How fast it turns [rad/s].
     """
     clip = motion.clip
-    yaws = rate * np.arange(clip.frames) / clip.fps
+    yaws: Floats = rate * np.arange(clip.frames, dtype=np.float64) / clip.fps
+    halfway: Floats = 0.5 * (yaws[1:] + yaws[:-1])
     steps = np.diff(clip.pelvis_positions, axis=0)
-    bent = rotate(from_yaw(0.5 * (yaws[1:] + yaws[:-1])), steps)
+    bent = rotate(from_yaw(halfway), steps)
     positions = clip.pelvis_positions[0] + np.concatenate([np.zeros((1, 3)), bent.cumsum(axis=0)])
     rotations = np.array(clip.local_rotations)
     rotations[:, 0] = multiply(from_yaw(yaws), rotations[:, 0])
