@@ -19,6 +19,7 @@ from footfall.view.foot_traces import shoe_outline
 from footfall.view.palette import BODY, FOOT_COLORS, SUPPORT_COLORS
 from footfall.view.plants import plants
 from footfall.view.svg import Picture
+from footfall.view.text_width import text_width
 
 __all__ = ["linear_path_figure"]
 
@@ -124,8 +125,10 @@ def _draw_shares(picture: Picture, way: Way, walked: TurningWalk, top: float) ->
         center = _middle_of_greatest(share)
         y = axes.y(float((lower[center] + upper[center]) / 2)) + 5
         if share[place] > 0.25:
+            half = 0.5 * text_width(role, 15, bold=True) + 8.0
+            x = min(max(axes.x(float(along[center])), axes.left + half), axes.right - half)
             picture.words(
-                axes.x(float(along[center])), y, role, size=15, text_anchor="middle",
+                x, y, role, size=15, text_anchor="middle",
                 font_weight="600", fill="#10151a",
             )  # fmt: skip
         lower = upper

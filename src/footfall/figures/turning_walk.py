@@ -57,10 +57,13 @@ def turned(motion: Motion, rate: float) -> Motion:
 
     Args:
         motion: The motion.
-        rate: How fast it turns [rad/s].
+        rate: How fast it turns then [rad/s], whatever it did before.
     """
     clip = motion.clip
-    yaws: Floats = rate * np.arange(clip.frames, dtype=np.float64) / clip.fps
+    own = extract_root_path(clip, find_anatomy(clip.skeleton)).displacement[2] / clip.duration
+    if abs(rate - own) < 1e-6:
+        return motion
+    yaws: Floats = (rate - own) * np.arange(clip.frames, dtype=np.float64) / clip.fps
     halfway: Floats = 0.5 * (yaws[1:] + yaws[:-1])
     steps = np.diff(clip.pelvis_positions, axis=0)
     bent = rotate(from_yaw(halfway), steps)
@@ -81,11 +84,10 @@ def walk_and_turn(cast: Cast) -> TurningWalk:
     """
     walk = cast.motion("walk").clip
     hero = Character(walk.skeleton)
-    velocities = np.array([_velocity(cast.motion(role)) for role in ROLES])
+    velocities = np.array([_velocity(turned(cast.motion(role), 0.0)) for role in ROLES])
     for role in ROLES:
         for name, rate in ((role, 0.0), (f"{role}, turning", TURNING)):
-            motion = cast.motion(role)
-            shown = motion if rate == 0.0 else turned(motion, rate)
+            shown = turned(cast.motion(role), rate)
             hero.add(name, shown.clip, shown.supports, fade_in=0.4, fade_out=0.4)
     recorder = Recorder(hero, FPS)
     hero.start("walk")
@@ -117,16 +119,26 @@ def _velocity(motion: Motion) -> tuple[float, float]:
 
 
 def _shares(velocities: Floats, aim: float) -> Floats:
-    """Return the shares of the parts whose mean goes towards a direction [rad], 0 ahead."""
-    ahead, aside = math.cos(aim), math.sin(aim)
-    shares = np.zeros(len(ROLES))
-    straight = 0 if ahead >= 0.0 else 2
-    shares[straight] = abs(ahead) / max(abs(float(velocities[straight, 1])), 1e-3)
-    shares[1] = max(aside * math.copysign(1.0, float(velocities[1, 0])), 0.0) / max(
-        abs(float(velocities[1, 0])), 1e-3
-    )
-    total = float(shares.sum())
-    return shares / total if total > 0.0 else np.array([1.0, 0.0, 0.0])
+    """Return the shares of the parts whose mean goes towards a direction [rad], 0 ahead.
+
+    Of the side step and one of the walks, whichever pair gets there faster; where none does, of
+    the one that comes nearest.
+    """
+    wanted = np.array([math.sin(aim), math.cos(aim)])
+    best: Floats | None = None
+    for straight in (0, 2):
+        pair = velocities[[straight, 1]].T
+        if abs(float(np.linalg.det(pair))) < 1e-6:
+            continue
+        parts = np.linalg.solve(pair, wanted)
+        if parts.min() >= 0.0 and (best is None or parts.sum() < best.sum()):
+            best = np.zeros(len(ROLES))
+            best[[straight, 1]] = parts
+    if best is None:
+        speeds = np.linalg.norm(velocities, axis=1)
+        best = np.zeros(len(ROLES))
+        best[int((velocities @ wanted / np.maximum(speeds, 1e-9)).argmax())] = 1.0
+    return best / best.sum()
 
 
 def _steer(hero: Character, shares: Floats, *, turning: bool) -> None:
