@@ -84,6 +84,11 @@ def test_feet_that_hold_have_slid_nowhere(text: str) -> None:
     assert slid[1] < 0.001
 
 
+def test_every_take_tells_what_it_stands_on_itself(text: str) -> None:
+    takes = embedded(text)["takes"]
+    assert [take["supports"] for take in takes] == [walking_figure.supports(100)] * 2
+
+
 def test_the_table_has_a_row_a_method_ours_marked(text: str) -> None:
     rows = re.findall(r"<tr(?: class=\"own\")?><th>(.*?)</th>(.*?)</tr>", text)
     assert [name for name, _ in rows] == ["Plain cross-fade", "footfall"]
