@@ -41,7 +41,8 @@ MAY_IMPORT: dict[str, frozenset[str]] = {
     "robots": _BODIES | {"io"},
     "datasets": _ALL_BUT_FACES | {"report", "view"},
     "studio": _ALL_BUT_FACES | {"report", "view"},
-    "cli": _ALL_BUT_FACES | {"report", "studio", "view", "datasets", "figures", "robots", "footfall"},
+    "cli": _ALL_BUT_FACES
+    | {"report", "studio", "view", "datasets", "figures", "robots", "footfall"},
     "__main__": frozenset({"cli"}),
     "footfall": _ALL_BUT_FACES | {"report"},
 } | dict.fromkeys(OPEN, _NOBODY)

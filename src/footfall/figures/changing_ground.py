@@ -67,8 +67,8 @@ class Hills:
     def patterns(self) -> Floats:
         """Heights of both patterns [m], shape (2, along z, along x)."""
         rows, columns = self.shape
-        z = (np.arange(rows) * SPACING - MARGIN)[:, np.newaxis]
-        x = (np.arange(columns) * SPACING - HALF_WIDTH)[np.newaxis]
+        z = (np.arange(rows, dtype=np.float64) * SPACING - MARGIN)[:, np.newaxis]
+        x = (np.arange(columns, dtype=np.float64) * SPACING - HALF_WIDTH)[np.newaxis]
         # Level where the character begins.
         fade = np.clip(z / 1.2, 0.0, 1.0) ** 2
         first = np.sin(2.0 * np.pi * z / 3.1) * np.cos(0.5 * x)
@@ -139,8 +139,8 @@ def _trace(recording: Recording, hills: Hills, cast: Cast) -> Trace:
     points = points_of_pose(recording.world_rotations, recording.world_positions, anatomy)
     heights = np.stack(
         [
-            ground_heights(hills.at(frame / FPS), places, np.zeros(places.shape[:-1]))
-            for frame, places in enumerate(points)
+            ground_heights(hills.at(frame / FPS), points[frame], np.zeros((2, 2)))
+            for frame in range(len(points))
         ]
     )
     return recording_trace(recording, anatomy, ground=heights)
