@@ -48,6 +48,11 @@ def test_files_play_the_parts_that_their_names_say(tmp_path: Path) -> None:
     assert cast.motion("run").clip.duration == sample("run")[0].duration
 
 
+def test_a_file_plays_only_the_part_that_its_name_says_most_of(tmp_path: Path) -> None:
+    save(sample("walk-fast")[0], tmp_path / "walk_fast.bvh")
+    assert Cast.of_folder(tmp_path).origins == {"fast walk": "walk_fast.bvh"}
+
+
 def test_a_file_that_cannot_play_is_passed_over(tmp_path: Path) -> None:
     (tmp_path / "run.bvh").write_text("HIERARCHY nonsense")
     save(sample("run")[0], tmp_path / "run_again.bvh")

@@ -13,11 +13,13 @@ from footfall.figures.comparison import comparison_performances
 from footfall.figures.delays import ROWS, delays_performances
 from footfall.figures.turning_walk import ROLES, TURNING, turned, walk_and_turn
 from footfall.figures.walk_to_hop import answers
+from footfall.figures.way import Way, draw_slides
 from footfall.motion import extract_root_path
 from footfall.report import measure, performance_trace
 from footfall.skeleton import find_anatomy
 from footfall.support import Support
 from footfall.view.palette import SLIP
+from footfall.view.svg import Picture
 
 
 def test_figure_13_starts_every_shot_and_never_runs_into_a_conflict() -> None:
@@ -89,6 +91,17 @@ def test_figure_17_stresses_three_slides_without_synchronization_and_none_with_i
         Support(int(value)) is not Support.CONFLICT
         for value in comparison_performances(cast())[1].supports
     )
+
+
+def test_no_more_slides_are_stressed_than_asked_for_and_the_worst_comes_first() -> None:
+    trace = performance_trace(comparison_performances(cast())[0])
+    way = Way.of([trace])
+    for most in (0, 1, 2):
+        sheet = Picture("test", "test", 1200.0, 300.0)
+        stressed = draw_slides(sheet, way, trace, 250.0, most)
+        assert len(stressed) == sheet.to_svg().count("<ellipse") == most
+        slips = [plant.slip for plant in stressed]
+        assert slips == sorted(slips, reverse=True)
 
 
 def test_figure_18_shows_what_waits_by_the_papers_rule() -> None:

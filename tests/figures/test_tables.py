@@ -67,6 +67,8 @@ def test_figure_9_respects_whoever_has_priority() -> None:
     rows = [texts[start : start + 7] for start in range(0, len(texts), 7)]
     assert len(rows) == 9
     assert rows[2].count("Err") == 3
+    # Whoever leads is never extended.
+    assert (rows[3], rows[7]) == (rows[0], rows[1])
     for leader, result in ((rows[3], rows[5]), (rows[7], rows[8])):
         assert "Err" not in result
         for own, blend in zip(leader, result, strict=True):
