@@ -13,7 +13,12 @@ from footfall.scenario.performance import Performance
 from footfall.view.palette import SLIP
 from footfall.view.svg import Picture
 
-__all__ = ["TAKES", "comparison_figure", "comparison_performances"]
+__all__ = [
+    "comparison_figure",
+    "comparison_performances",
+    "draw_transition_legend",
+    "slip_sentence",
+]
 
 CLAIM = (
     "The first row shows the animation without synchronization. When there are transitions between "
@@ -35,9 +40,6 @@ EVERY = 0.2
 
 ELLIPSES = 3
 """As in the paper."""
-
-TAKES = ("without", "with")
-"""What the two performances are called in names of files."""
 
 
 @lru_cache(maxsize=2)

@@ -112,19 +112,10 @@ def _draw_shares(picture: Picture, way: Way, walked: TurningWalk, top: float) ->
     lower = np.zeros(len(along))
     for role, share, fill in zip(ROLES, shares, FILLS, strict=True):
         upper = lower + share
-        kept = slice(None, None, 3)
-        outline = [
-            axes.at(float(x), float(y)) for x, y in zip(along[kept], upper[kept], strict=True)
-        ]
-        outline += [
-            axes.at(float(x), float(y))
-            for x, y in zip(along[kept][::-1], lower[kept][::-1], strict=True)
-        ]
-        picture.area(outline, fill=fill, fill_opacity=0.8)
-        place = int(share.argmax())
+        _draw_share(picture, axes, along, (lower, upper), fill)
         center = _middle_of_greatest(share)
         y = axes.y(float((lower[center] + upper[center]) / 2)) + 5
-        if share[place] > 0.25:
+        if float(share.max()) > 0.25:
             half = 0.5 * text_width(role, 15, bold=True) + 8.0
             x = min(max(axes.x(float(along[center])), axes.left + half), axes.right - half)
             picture.words(
@@ -132,6 +123,16 @@ def _draw_shares(picture: Picture, way: Way, walked: TurningWalk, top: float) ->
                 font_weight="600", fill="#10151a",
             )  # fmt: skip
         lower = upper
+
+
+def _draw_share(
+    picture: Picture, axes: Axes, along: Floats, bounds: tuple[Floats, Floats], fill: str
+) -> None:
+    """Draw the area between two curves over the way, a corner every third frame."""
+    x, lower, upper = along[::3], bounds[0][::3], bounds[1][::3]
+    outline = [axes.at(float(a), float(b)) for a, b in zip(x, upper, strict=True)]
+    outline += [axes.at(float(a), float(b)) for a, b in zip(x[::-1], lower[::-1], strict=True)]
+    picture.area(outline, fill=fill, fill_opacity=0.8)
 
 
 def _middle_of_greatest(share: Floats) -> int:

@@ -61,18 +61,9 @@ def smooth_warp_figure(cast: Cast) -> Figure:
     picture = begin_sheet(12, title, note, 856.0)
     axes = _warp_axes(example, 130.0, TOP + 18.0, 1030.0, 386.0)
     _draw_frame(picture, axes, example)
-    below = Axes(axes.left, axes.bottom + 118.0, axes.width, 190.0, axes.x_range, (0.0, 2.4))
     times = np.linspace(0.0, float(example.clock_times[-1]), 1201)
     rates = [warp.at(times)[1] for warp, _ in warps]
-    highest = max(float(rate.max()) for rate in rates)
-    below = Axes(
-        below.left, below.top, below.width, below.height, below.x_range, (0.0, 1.1 * highest)
-    )
-    seconds = np.arange(0.0, axes.x_range[1], 0.2).round(6).tolist()
-    below.draw(picture, x_ticks=seconds, y_ticks=(0.0, 1.0, 2.0), y_label="rate dt′/dt")
-    picture.words(
-        below.right, below.bottom + 38, "t [s]", size=14, text_anchor="end", class_="soft"
-    )
+    below = _draw_rate_frame(picture, axes, max(float(rate.max()) for rate in rates))
     for curve_axes, plain in (
         (axes, (example.clock_times, example.clip_times)),
         (below, (np.repeat(example.clock_times, 2)[1:-1], np.repeat(example.rates, 2))),
@@ -83,12 +74,7 @@ def smooth_warp_figure(cast: Cast) -> Figure:
         below.curve(picture, times, rate, stroke=color, stroke_width=2.6)
     for time, clip in zip(example.clock_times.tolist(), example.clip_times.tolist(), strict=True):
         axes.mark(picture, time, clip, SLIP, 3.6)
-    for place, (color, told, dashed) in enumerate(
-        ((PRINTED, "as printed", False), (OURS, "footfall", False), (PLAIN, "figure 10", True))
-    ):
-        draw_legend(
-            picture, axes.left + 18 + 140 * place, axes.top + 28, color, told, dashed=dashed
-        )
+    _draw_legends(picture, axes)
     facts = tuple(
         f"{name}: rate {rate.min():.2f} to {rate.max():.2f}, "
         f"greatest step back {max(0.0, float(-np.diff(warp.at(times)[0]).min())):g} s."
@@ -96,6 +82,24 @@ def smooth_warp_figure(cast: Cast) -> Figure:
     )
     claim = "Final monotonic time warping."
     return Figure(12, "smooth_time_warp", title, claim, facts, picture.to_svg())
+
+
+def _draw_rate_frame(picture: Picture, above: Axes, highest: float) -> Axes:
+    """Draw the panel of the rates under the one of the warps."""
+    place = (above.left, above.bottom + 118.0, above.width, 190.0)
+    axes = Axes(*place, above.x_range, (0.0, 1.1 * highest))
+    seconds = np.arange(0.0, axes.x_range[1], 0.2).round(6).tolist()
+    axes.draw(picture, x_ticks=seconds, y_ticks=(0.0, 1.0, 2.0), y_label="rate dt′/dt")
+    picture.words(axes.right, axes.bottom + 38, "t [s]", size=14, text_anchor="end", class_="soft")
+    return axes
+
+
+def _draw_legends(picture: Picture, axes: Axes) -> None:
+    for place, (color, told, dashed) in enumerate(
+        ((PRINTED, "as printed", False), (OURS, "footfall", False), (PLAIN, "figure 10", True))
+    ):
+        x = axes.left + 18 + 140 * place
+        draw_legend(picture, x, axes.top + 28, color, told, dashed=dashed)
 
 
 def _warp_axes(example: WarpExample, left: float, top: float, width: float, height: float) -> Axes:
