@@ -17,6 +17,9 @@ FLIGHT, CONFLICT = int(Support.FLIGHT), int(Support.CONFLICT)
 ENDED = -1.0
 """The vote of an action that has ended."""
 
+SHORTEST_WAIT = 1e-3
+"""Whoever waits must be able to for this long [s]: a column of no length has no rate."""
+
 FULL_SEARCH = 4
 """Up to this many lanes all sets are tried; of more, those that are due first."""
 
@@ -152,7 +155,10 @@ def bounds_of(memory: SearchMemory, node: int, mask: int) -> tuple[bool, int, fl
             waits = support != memory.whole or vote <= 0.0
             if vote >= 0.0 and waits and memory.held[node, lane] >= memory.limit:
                 possible = False
-            latest = min(latest, memory.latest[lane] - SOON)
+            longest = memory.latest[lane] - SOON
+            if longest < SHORTEST_WAIT:
+                possible = False
+            latest = min(latest, longest)
         combined &= support
         if support != FLIGHT:
             grounded &= support
