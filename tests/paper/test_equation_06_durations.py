@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from tests.paper.requirements import requirement
 
 from footfall.support import SupportSequence
 from footfall.timing import normalize_weights, slot_duration
@@ -22,6 +23,8 @@ def durations(priorities: tuple[float, float]) -> list[float]:
     ]
 
 
+@requirement(76, "there remains to compute the duration of these elements")
+@requirement(77, "in order to compute the normalized weight")
 @pytest.mark.parametrize(
     ("priorities", "expected"),
     [
@@ -44,6 +47,11 @@ def test_the_neutral_motion_never_votes() -> None:
     assert slot_duration(shares[:, 0], np.array([0.4, 100.0]), 1) == 0.4
 
 
+@requirement(
+    79,
+    "Changing the duration of the elements of the sequences involves a compression or a dilation "
+    "of time.",
+)
 def test_one_action_alone_keeps_its_own_durations_exactly() -> None:
     for phase in WALK.phases:
         assert slot_duration(np.array([1.0]), np.array([phase.duration]), 1) == phase.duration

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from tests.paper.requirements import requirement
 
+import footfall as ff
 from footfall.arrays import Floats
 from footfall.timing import advance_progress, level, normalize_weights
 
@@ -32,6 +34,11 @@ def frame_at(seconds: float) -> int:
     return round(seconds * FPS)
 
 
+@requirement(
+    33,
+    "t1 is the starting time of the action and t3 its ending time. t2 (resp. t4) is the complete "
+    "activation (resp. deactivation) of the action.",
+)
 def test_the_level_is_zero_up_to_t1_and_from_t4_on() -> None:
     assert not levels()[: frame_at(T1) + 1].any()
     assert not levels()[frame_at(T4) :].any()
@@ -56,9 +63,38 @@ def test_where_the_weights_may_not_move_t2_and_t4_are_put_off_by_the_time_asked(
     assert not waiting[frame_at(T4 + FADE_OUT) :].any()
 
 
+@requirement(34, "The weights associated to motions are then computed automatically")
 @pytest.mark.parametrize("seconds", [0.5, T1 + 0.2, 1.75, T3 + 0.1, 2.5])
 def test_a_lone_action_takes_its_level_and_the_neutral_motion_the_rest(seconds: float) -> None:
     now = levels()[frame_at(seconds)]
     out = np.empty((2, 1))
     normalize_weights(np.array([[5.0]]), np.array([now]), out)
     np.testing.assert_allclose(out[:, 0], [now, 1.0 - now], rtol=0, atol=1e-15)
+
+
+@requirement(
+    35,
+    "The duration used to activate or deactivate the motion is parameterized for each action as "
+    "well as the priorities.",
+)
+def test_each_action_has_a_fade_in_and_a_fade_out_of_its_own() -> None:
+    punch, supports = ff.sample("punch")
+    hero = ff.Character(punch.skeleton)
+    hero.add("walk", *ff.sample("walk"))
+    arms = {"arms": 1.0}
+    hero.add("slow", punch, supports, priority=arms, fade_in=0.5, fade_out=0.1)
+    hero.add("quick", punch, supports, priority=arms, fade_in=0.1, fade_out=0.5)
+    hero.start("walk")
+    hero.advance(0.2)
+    for name, fade_in, fade_out in (("slow", 0.5, 0.1), ("quick", 0.1, 0.5)):
+        hero.start(name)
+        hero.advance(0.95 * fade_in)
+        short = max(hero.state(name).weights)
+        hero.advance(0.1 * fade_in)
+        full = max(hero.state(name).weights)
+        assert short < full
+        hero.stop(name)
+        hero.advance(0.9 * fade_out)
+        assert hero.is_active(name)
+        hero.advance(0.2 * fade_out)
+        assert not hero.is_active(name)

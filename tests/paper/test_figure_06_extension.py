@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import json
 
+from tests.paper.requirements import requirement
+
 from footfall.scenario.schedule_problem import solve_problem
 from footfall.support import SupportSequence
 from footfall.sync import Synchronizer
@@ -13,16 +15,19 @@ def letters(sequence: SupportSequence, count: int) -> str:
     return " ".join(sequence.at(k).support.symbol for k in range(count))
 
 
+@requirement(57, "their sequences are repeated as a whole")
 def test_the_cyclic_row() -> None:
-    # Requirements 57 and 59: the sequence is repeated as a whole.
+
     assert letters(SupportSequence.parse("R D L D*"), 8) == "R D L D R D L D"
 
 
+@requirement(58, "So only the last element of their sequence is repeated as long as necessary.")
 def test_the_clamped_row() -> None:
-    # Requirements 58 and 59: only the last element is repeated.
+    # only the last element is repeated.
     assert letters(SupportSequence.parse("L D - D L"), 8) == "L D - D L L L L"
 
 
+@requirement(59, "is repeated as a whole; only the last element of")
 def test_both_rows_as_the_synchronizer_plays_them_alone() -> None:
     for text, row in (("R D L D*", "R D L D R D L D"), ("L D - D L", "L D - D L L L L")):
         synchronizer = Synchronizer([SupportSequence.parse(text)], planner="paper")
@@ -32,6 +37,9 @@ def test_both_rows_as_the_synchronizer_plays_them_alone() -> None:
         assert " ".join(synchronizer.trace.rows[0].cells) == row
 
 
+@requirement(
+    60, "To use our algebraic relation after the third element, we need to extend the sequence"
+)
 def test_both_rows_as_the_batch_answers_them_alone() -> None:
     for text, result, row in (
         ("R D L D*", "R D L D R D L D", [0, 1, 2, 3, 0, 1, 2, 3]),

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from tests.paper.requirements import requirement
+
 from footfall.support import SupportSequence
 from footfall.sync import Synchronizer
 
 
+@requirement(62, "whenever the corresponding actions were started")
 def test_the_current_phases_share_one_column() -> None:
-    # Requirement 62: top of the figure, three actions started at different moments; bottom, the
+    # Top of the figure, three actions started at different moments; bottom, the
     # same three under the index k of the slot being played.
     sequences = [SupportSequence.parse(text) for text in ("R D L D*", "D -", "D L D R*")]
     synchronizer = Synchronizer(
@@ -35,6 +38,11 @@ def test_the_current_phases_share_one_column() -> None:
     )
 
 
+@requirement(
+    3,
+    "It is based on an algebraic relation to detect incompatible motions and to select elements "
+    "of the sequence to be enlarged.",
+)
 def test_a_held_phase_is_marked_and_explained() -> None:
     walk = SupportSequence.parse("D R D L*")
     synchronizer = Synchronizer([walk, walk], names=["walk", "late"], planner="paper", lookahead=4)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 
 import pytest
+from tests.paper.requirements import requirement
 
 from footfall.scenario.schedule_problem import solve_problem
 
@@ -12,6 +13,14 @@ from footfall.scenario.schedule_problem import solve_problem
 FIRST, SECOND = "D R D L*", "- L D*"
 
 
+@requirement(
+    66, "Deleting or reducing one of the two concerned elements does not solve the problem."
+)
+@requirement(
+    67,
+    "After synchronization, all the actions can be blended and the relation determines the new "
+    "support phase.",
+)
 @pytest.mark.parametrize(
     ("priorities", "result", "rows"),
     [
@@ -22,7 +31,6 @@ FIRST, SECOND = "D R D L*", "- L D*"
     ],
 )
 def test_the_pair_of_the_figure(priorities: list[int], result: str, rows: list[int]) -> None:
-    # Requirements 66 and 67.
     problem = {
         "sequences": [FIRST, SECOND],
         "priorities": priorities,

@@ -7,6 +7,7 @@ from __future__ import annotations
 import json
 
 import pytest
+from tests.paper.requirements import requirement
 from tests.sync.strict_sequences import every_strict_text
 
 from footfall.scenario.schedule_problem import solve_problem
@@ -15,9 +16,17 @@ from footfall.support import Support, SupportSequence
 CYCLIC = [text for text in every_strict_text(3) if text.endswith("*")]
 
 
+@requirement(
+    69, "From the highest priority to the lowest one, it takes the first element of type RS or LS."
+)
+@requirement(70, "The resulting support phase respects the action with the highest priority.")
+@requirement(
+    71,
+    "ensures that the constraint associated with the motion with the highest priority is respected",
+)
 @pytest.mark.parametrize("leader", CYCLIC)
 def test_the_result_respects_the_action_with_the_highest_priority(leader: str) -> None:
-    # Requirements 69 to 71: the leader is never held, and the blend is its support or flight.
+    # The leader is never held, and the blend is its support or flight.
     own = SupportSequence.parse(leader)
     for other in CYCLIC:
         problem = {"sequences": [leader, other], "slots": 9, "lookahead": 2, "planner": "paper"}

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from tests.paper.requirements import requirement
 
 from footfall.arrays import Floats
 from footfall.geometry import cubic_hermite, rational_hermite
@@ -29,11 +30,15 @@ def random_segments(count: int) -> tuple[Floats, Floats, Floats]:
     return random.uniform(0.03, 1.0, count), random.uniform(0.03, 1.0, count), ratios
 
 
+@requirement(
+    80, "This function is not derivable and engenders discontinuities in speed and acceleration."
+)
 def test_figure_10_the_plain_warp_jumps_in_speed_at_each_knot() -> None:
     means = np.diff(CLIP) / np.diff(CLOCK)
     assert np.abs(np.diff(means)).min() > 0.1
 
 
+@requirement(78, "This duration is then used in the time warping process to adapt the motion.")
 @MODES
 def test_figure_12_the_warp_passes_all_knots_and_never_goes_back(paper: bool) -> None:
     curve = TimeWarp.through(CLOCK, CLIP, paper=paper)
@@ -43,6 +48,21 @@ def test_figure_12_the_warp_passes_all_knots_and_never_goes_back(paper: bool) ->
     np.testing.assert_allclose(curve.at(CLOCK)[0], CLIP, rtol=0, atol=1e-15)
 
 
+@requirement(
+    4,
+    "The resulting time warping function can be non-derivable so it is corrected by using a "
+    "cardinal spline interpolation.",
+)
+@requirement(
+    81,
+    "a function that allows to slow down or accelerate the motion in order to avoid these "
+    "discontinuities during animation",
+)
+@requirement(
+    87,
+    "the temporal deformation resulting from the time warping function does not engender speed "
+    "discontinuities in the animation",
+)
 @MODES
 def test_figure_12_neither_place_nor_speed_jumps_at_the_knots(paper: bool) -> None:
     curve = TimeWarp.through(CLOCK, CLIP, paper=paper)
@@ -52,6 +72,8 @@ def test_figure_12_neither_place_nor_speed_jumps_at_the_knots(paper: bool) -> No
         assert abs(after[1] - before[1]).max() < 1e-9
 
 
+@requirement(82, "has changed since the last simulation step")
+@requirement(86, "is performed each time elements' durations vary")
 @pytest.mark.parametrize("use_paper_cubic", [True, False])
 def test_figure_11_a_slot_whose_end_moves_is_followed_without_a_jump(use_paper_cubic: bool) -> None:
     h, v, t, t1 = 0.0, 1.0, 0.0, 1.0
@@ -67,6 +89,7 @@ def test_figure_11_a_slot_whose_end_moves_is_followed_without_a_jump(use_paper_c
         h, v, t, t1 = h_now, v_now, now, end
 
 
+@requirement(83, "taking the symetric of v(t) (Figure 11D) and born it (Figure 11E)")
 def test_figures_11d_and_11e_the_symmetric_slope_is_bounded() -> None:
     assert end_slope_paper(1.0, 0.5) == 1.5
     assert end_slope_paper(1.0, 1.0) == 1.0
@@ -90,6 +113,7 @@ def test_three_times_the_mean_rate_is_exactly_the_limit_of_the_printed_cubic() -
     assert printed(3.01)[1].min() < 0.0
 
 
+@requirement(85, "This process gives a monotonic time warping")
 @pytest.mark.parametrize("use_paper_cubic", [True, False])
 def test_time_never_runs_backward_in_two_hundred_thousand_random_samples(
     use_paper_cubic: bool,
@@ -109,6 +133,7 @@ def test_time_never_runs_backward_in_two_hundred_thousand_random_samples(
     assert samples >= 200_000
 
 
+@requirement(84, "the function on element k is recovered by using a cardinal spline")
 def test_up_to_twice_the_mean_rate_the_rational_quadratic_is_the_printed_curve() -> None:
     lengths, rises, ratios = random_segments(2000)
     compared = 0

@@ -5,6 +5,7 @@ from __future__ import annotations
 from itertools import permutations
 
 import pytest
+from tests.paper.requirements import requirement
 
 from footfall.errors import ArgumentError
 from footfall.support import Support, SupportSequence
@@ -27,6 +28,11 @@ def test_a_gait_alone_is_played_as_it_is(gait: str) -> None:
     assert results == [phase.support for phase in sequence.phases]
 
 
+@requirement(
+    119,
+    "limited to bipedic humans. It could be possible (mathematicaly) to extend the algorithm "
+    "(considering hands for example)",
+)
 @pytest.mark.parametrize(("one", "other"), list(permutations(GAITS, 2)))
 def test_two_gaits_go_together_and_what_carries_is_what_both_stand_on(one: str, other: str) -> None:
     sequences = [SupportSequence.parse(GAITS[name]) for name in (one, other)]

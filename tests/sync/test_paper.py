@@ -11,6 +11,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from tests.oracles.slow_synchronizer import SlowSynchronizer, play
+from tests.paper.requirements import requirement
 from tests.sync.strict_sequences import every_strict_text, strict_texts
 
 from footfall.scenario.schedule_problem import solve_problem
@@ -34,6 +35,7 @@ def running(
     return table, window
 
 
+@requirement(5, "we demonstrate that our algorithm always finds at least one solution")
 @pytest.mark.parametrize("planner", ["paper", "footfall"])
 def test_the_rule_never_fails_on_strict_sequences_that_never_end(planner: Any) -> None:
     # Theorem S-1, for every pair of cyclic strict sequences of up to three phases.
@@ -62,6 +64,7 @@ def test_nor_do_eight_of_them_of_any_length(texts: list[str], priorities: list[f
         assert np.array_equal(window.phases[leader], np.arange(40))
 
 
+@requirement(128, "Ties of priority are resolved by the order of activation.")
 def test_of_equal_priorities_the_older_one_goes_first() -> None:
     _, window = running(["R D*", "L D*"], columns=3, priorities=[1.0, 1.0])
     window.age[:] = [4, 3]
@@ -97,6 +100,7 @@ def test_stopping_the_ended_action_lets_the_others_go_on() -> None:
     assert window.results.tolist() == [5, 3, 7, 3, 7, 3]
 
 
+@requirement(122, "Unfortunately, this solution does not solve the problem but just delays it.")
 def test_appendix_a_always_finds_a_column_and_may_starve_the_first() -> None:
     rules = rules_of("paper", falls_back=True)
     table, window = running(["D L*", "R"], columns=6)
@@ -114,6 +118,9 @@ def test_only_ended_actions_on_the_other_foot_are_stopped() -> None:
     assert window.phases[:, 1].tolist() == [1, -1, 1]
 
 
+@requirement(
+    124, "is enough to find a solution (even if the extension of a jump is not an ideal solution)"
+)
 def test_of_several_flights_appendix_a_holds_that_of_the_last_in_priority() -> None:
     rules = rules_of("paper", falls_back=True)
     for priorities, held in (([3.0, 2.0, 1.0], [1, 1, 0]), ([1.0, 2.0, 3.0], [0, 1, 1])):

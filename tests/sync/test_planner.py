@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from tests.paper.requirements import requirement
 from tests.sync.strict_sequences import strict_texts
 
 from footfall.support import Support, SupportPhase, SupportSequence
@@ -25,6 +26,11 @@ CASES = Path(__file__).parents[3] / "shared" / "cases" / "realistic.json"
 walks = strict_texts(longest=6)
 
 
+@requirement(
+    97,
+    "change the original motions and actions priorities in real time while preserving valid "
+    "support constraints",
+)
 @settings(deadline=None, max_examples=100)
 @given(
     texts=st.lists(walks, min_size=1, max_size=6),
@@ -56,6 +62,11 @@ def test_no_command_at_any_moment_leads_to_a_conflict(
             assert synchronizer.next_slot() is not Support.CONFLICT
 
 
+@requirement(
+    95,
+    "the last motion waits for a better instant to begin and checks the synchronization "
+    "possibilities at each new element step",
+)
 def test_right_hop_and_left_hop_never_play_together() -> None:
     hops = [SupportSequence.parse("R -*"), SupportSequence.parse("L -*")]
     synchronizer = Synchronizer(hops, names=["right hop", "left hop"])
@@ -121,6 +132,7 @@ def test_a_lone_action_begins_with_its_first_phase_at_its_own_speed() -> None:
     assert synchronizer.schedule.rows[0].phases == (0, 1, 0, 1, 0, 1)
 
 
+@requirement(117, "the possibility to split neutral constraint phases (double support)")
 def test_a_long_double_support_is_split_over_the_steps_of_a_walk() -> None:
     # S-21: the walk keeps its speed, and so does the stand of two seconds beside it.
     _, window = start_beside(WALK, 0, "D2 L.4 D.2")
@@ -130,6 +142,7 @@ def test_a_long_double_support_is_split_over_the_steps_of_a_walk() -> None:
     assert window.pace[1] == pytest.approx([1.0, 1.0], rel=0.2)
 
 
+@requirement(129, "An action that is stopped leaves the relation.")
 def test_a_stop_frees_what_was_held_for_its_sake() -> None:
     # S-14: coming columns are decided anew.
     walks = [SupportSequence.parse("D R D L*"), SupportSequence.parse("D L D R")]
@@ -211,6 +224,11 @@ def test_realistic_pairs_nearly_always_start_at_once() -> None:
     assert never == {("rhop", "lhop"), ("lhop", "rhop")}
 
 
+@requirement(
+    107,
+    "The activation time is instantaneous except for rarely critical situations such as "
+    "simultaneously right and left unilateral jumps.",
+)
 @pytest.mark.skipif(not CASES.is_file(), reason="the realistic cases lie outside the project")
 def test_at_every_phase_of_the_other_nearly_all_start_at_once() -> None:
     cases = json.loads(CASES.read_text())

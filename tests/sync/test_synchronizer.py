@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pytest
+from tests.paper.requirements import requirement
 
 from footfall.errors import ArgumentError, SupportSequenceError
 from footfall.support import Support, SupportSequence
@@ -12,6 +13,10 @@ WALK = SupportSequence.parse("R D L D*")
 HOP = SupportSequence.parse("L -*")
 
 
+@requirement(
+    73,
+    "Then, the start of the action is delayed until the next element of the sequence is reached.",
+)
 def test_a_delayed_start_happens_in_a_later_slot_and_says_why_it_waits() -> None:
     synchronizer = Synchronizer([WALK, HOP], names=["walk", "hop"], planner="paper")
     assert synchronizer.start(0)

@@ -11,12 +11,14 @@ One row an action, one column a slot:
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from footfall.arrays import Indices, Supports
 from footfall.support import Support
 from footfall.sync.columns import has_ended, own_phase, support_of
 from footfall.sync.schedule_html import schedule_html
+from footfall.sync.schedule_text import schedule_text
+from footfall.sync.shares import natural_duration, slot_seconds
 from footfall.sync.tables import Rules, SequenceTable
 from footfall.sync.window import Window
 
@@ -47,6 +49,16 @@ class ScheduleRow:
 
     following: tuple[Support | None, ...]
     """Where held: the support that it may not go on to yet; else None."""
+
+    muted: tuple[bool, ...]
+    """Whether it plays beside the schedule, for want of room (S-19)."""
+
+    stretches: tuple[float | None, ...]
+    """How many times as long as at its own speed its phase lasts, as far as the schedule goes:
+    by so much it is held. None while it does not play, is muted or has ended."""
+
+    waits: tuple[str, ...]
+    """Why its start waits; empty unless it does."""
 
     @property
     def cells(self) -> tuple[str, ...]:
@@ -79,6 +91,10 @@ class Schedule:
     results: tuple[Support, ...]
     """What the blend stands on in each slot; CONFLICT where the rule failed."""
 
+    durations: tuple[float | None, ...]
+    """How long each slot lasts [s]; of one that is being played, what is left of it. None where
+    nobody is left who could say."""
+
     first_slot: int | None = None
     """The number of the first slot, or None to count from the current one, k."""
 
@@ -93,6 +109,9 @@ class Schedule:
         phases: Indices,
         results: Supports,
         *,
+        seconds: Sequence[float | None],
+        muted: Sequence[Sequence[bool]],
+        waits: Sequence[Sequence[str]] = (),
         first_slot: int | None = None,
     ) -> Schedule:
         """Copy a schedule out of arrays.
@@ -106,18 +125,28 @@ class Schedule:
             phases: Absolute phase indices, shape (actions, slots); `ABSENT` while one does not
                 play.
             results: Combined support of each slot, shape (slots,).
+            seconds: How long each slot lasts, or None.
+            muted: Whether each action is muted, one row an action.
+            waits: Why the start of each action waits, one row an action; nobody does if empty.
             first_slot: The number of the first slot, or None to count from the current one.
 
         Returns:
             The copy.
         """
+        nobody = [("",) * len(results)] * len(names)
         rows = tuple(
-            _row(table, rules, sequence, name, priority, [int(phase) for phase in row])
-            for sequence, name, priority, row in zip(
-                sequences, names, priorities, phases, strict=True
+            replace(
+                _row(table, rules, sequence, [int(phase) for phase in row], seconds, quiet),
+                name=name,
+                priority=priority,
+                waits=tuple(why),
+            )
+            for sequence, name, priority, row, quiet, why in zip(
+                sequences, names, priorities, phases, muted, waits or nobody, strict=True
             )
         )
-        return cls(rows, tuple(Support(int(result)) for result in results), first_slot)
+        together = tuple(Support(int(result)) for result in results)
+        return cls(rows, together, tuple(seconds), first_slot)
 
     @classmethod
     def of_window(
@@ -137,6 +166,8 @@ class Schedule:
             [float(window.priority[seat]) for seat in seats],
             window.phases[seats, :decided],
             window.results[:decided],
+            seconds=[slot_seconds(table, window, rules, column) for column in range(decided)],
+            muted=[[bool(window.muted[seat])] * decided for seat in seats],
         )
 
     def __str__(self) -> str:
@@ -156,6 +187,10 @@ class Schedule:
             for name, rank, cells, remark in lines
         )
 
+    def describe(self) -> str:
+        """Return everything that was decided, as text: see `footfall.sync.schedule_text`."""
+        return schedule_text(self, self._slot_labels())
+
     def _repr_html_(self) -> str:
         """Return the table in colors, for notebooks."""
         return schedule_html(self, self._slot_labels())
@@ -170,10 +205,11 @@ def _row(
     table: SequenceTable,
     rules: Rules,
     sequence: int,
-    name: str,
-    priority: float,
     phases: list[int],
+    seconds: Sequence[float | None],
+    muted: Sequence[bool],
 ) -> ScheduleRow:
+    """Return the row of an action that has no name yet."""
     own = [own_phase(table, sequence, phase, rules.ended) for phase in phases]
     held = tuple(
         slot > 0 and phase == phases[slot - 1] and not has_ended(table, sequence, phase)
@@ -183,9 +219,16 @@ def _row(
     def support(phase: int) -> Support:
         return Support(support_of(table, sequence, phase, rules.ended))
 
+    def stretch(slot: int) -> float | None:
+        phase = phases[slot]
+        if muted[slot] or phase < 0 or has_ended(table, sequence, phase):
+            return None
+        lasting = sum(s or 0.0 for p, s in zip(phases, seconds, strict=True) if p == phase)
+        return lasting / natural_duration(table, sequence, phase)
+
     return ScheduleRow(
-        name=name,
-        priority=priority,
+        name="",
+        priority=0.0,
         phases=tuple(None if index < 0 else index for index in own),
         supports=tuple(
             None if index < 0 else support(phase) for index, phase in zip(own, phases, strict=True)
@@ -195,4 +238,7 @@ def _row(
             support(phase + 1) if held_here else None
             for phase, held_here in zip(phases, held, strict=True)
         ),
+        muted=tuple(muted),
+        stretches=tuple(stretch(slot) for slot in range(len(phases))),
+        waits=(),
     )

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from footfall.compilation import kernel
 from footfall.sync.columns import has_ended
-from footfall.sync.tables import SequenceTable
+from footfall.sync.tables import Rules, SequenceTable
 from footfall.sync.window import Window
 
-__all__ = ["finish_slot", "natural_duration", "spend_slot"]
+__all__ = ["finish_slot", "natural_duration", "slot_seconds", "spend_slot"]
 
 
 @kernel
@@ -74,3 +74,27 @@ def spend_slot(table: SequenceTable, window: Window) -> None:
             window.remaining[seat] -= window.pace[seat, 0] * window.durations[0]
         else:
             window.remaining[seat] = natural_duration(table, sequence, coming)
+
+
+def slot_seconds(
+    table: SequenceTable, window: Window, rules: Rules, column: int = 0
+) -> float | None:
+    """Return how long a column lasts [s]: as planned, or in paper mode by equation 6.
+
+    In paper mode a phase votes with all of its duration in every column that it covers (S-20).
+    None where nobody is left who could say.
+    """
+    if rules.replans:
+        seconds = float(window.durations[column])
+        return seconds if seconds > 0.0 else None
+    seats = [int(seat) for seat in window.playing.nonzero()[0] if window.phases[seat, column] >= 0]
+    if not seats:
+        return None
+    own = [
+        natural_duration(table, int(window.sequence[seat]), int(window.phases[seat, column]))
+        for seat in seats
+    ]
+    weights = [float(window.weight[seat]) for seat in seats]
+    if sum(weights) <= 0.0:
+        return sum(own) / len(own)
+    return sum(w * d for w, d in zip(weights, own, strict=True)) / sum(weights)

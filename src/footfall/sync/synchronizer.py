@@ -7,12 +7,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-import numpy as np
-
 from footfall.errors import ArgumentError
 from footfall.support import Support, SupportSequence
 from footfall.sync.columns import own_phase
 from footfall.sync.events import enter_next_slot, reconsider, release_action, start_action
+from footfall.sync.history import PlayedSlot, present_slot, trace_of
 from footfall.sync.planner import REFUSED
 from footfall.sync.refusal import Refusal, explain_refusal, foresee
 from footfall.sync.schedule import Schedule
@@ -77,13 +76,12 @@ class Synchronizer:
         )
         self._waiting: dict[int, str] = {}
         self._activations = 0
-        self._past_phases: list[list[int]] = []
-        self._past_results: list[int] = []
+        self._past: list[PlayedSlot] = []
 
     @property
     def slot(self) -> int:
         """The number of the slot being played."""
-        return len(self._past_results)
+        return len(self._past)
 
     @property
     def result(self) -> Support:
@@ -151,8 +149,7 @@ class Synchronizer:
                 f"the rule failed in slot {self.slot}, so no slot follows it; "
                 "stop an action that has ended"
             )
-        self._past_phases.append(self._column())
-        self._past_results.append(int(self._window.results[0]))
+        self._past.append(self._present())
         spend_slot(self._table, self._window)
         enter_next_slot(self._table, self._window, self._rules)
         self._deactivate_the_ended()
@@ -168,23 +165,13 @@ class Synchronizer:
 
     @property
     def trace(self) -> Schedule:
-        """All slots from 0 to the one being played."""
-        return Schedule.of(
-            self._table,
-            self._rules,
-            range(len(self.names)),
-            self.names,
-            [float(priority) for priority in self._window.priority],
-            np.array([*self._past_phases, self._column()], dtype=np.int64).T,
-            np.array([*self._past_results, self._window.results[0]], dtype=np.int64),
-            first_slot=0,
-        )
+        """All slots from 0 to the one being played, with all that was decided in them."""
+        priorities = [float(priority) for priority in self._window.priority]
+        slots = [*self._past, self._present()]
+        return trace_of(self._table, self._rules, self.names, priorities, slots)
 
-    def _column(self) -> list[int]:
-        return [
-            int(self._window.phases[action, 0]) if self._window.playing[action] else ABSENT
-            for action in range(len(self.names))
-        ]
+    def _present(self) -> PlayedSlot:
+        return present_slot(self._table, self._window, self._rules, self._waiting)
 
     def _try(self, action: int) -> bool:
         table, window, rules = self._table, self._window, self._rules
