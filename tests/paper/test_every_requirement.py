@@ -59,7 +59,7 @@ def rows_below(heading: str, key: str) -> list[Row]:
     return rows
 
 
-BY_PLACE = rows_below("Sections, figures and equations", "[a-z1-7][^|]*?")
+BY_PLACE = rows_below("Sections, figures and equations", "(?!paper )[a-z1-7][^|]*?")
 BY_NUMBER = rows_below("The requirements", r"\d+")
 
 

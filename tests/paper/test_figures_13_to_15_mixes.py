@@ -96,7 +96,7 @@ def test_figure_15_side_step_and_walk_go_straight_whatever_the_bodys_orientation
     way = displacement(-local, shares, 8.0)
     assert abs(math.degrees(angle(way))) < 3.0
     assert np.linalg.norm(way) > 0.5
-    assert (share > 0.0) == (abs(math.degrees(local)) > 5.0)
+    assert (share > 0.0) == (abs(math.degrees(local)) > 2.0)
 
 
 @requirement(100, "The same example could be easily extended to a non-linear path.")
