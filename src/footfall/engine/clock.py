@@ -34,6 +34,9 @@ FADE_EASE = 0.1
 MUTING = 0.2
 """Time in which a muted action loses its leg weight, or gets it back [s]."""
 
+COMING_FREE = 0.1
+"""Time constant with which an action that is not warped any more comes to its own speed [s]."""
+
 SAME_MOMENT = 1e-9
 """Clock times closer than this are one moment [s]."""
 
@@ -125,8 +128,10 @@ def _run_clips(shelf: Shelf, me: Character, step: float, slot_ends: bool) -> Non
                 me.clip_time[seat], me.rate[seat] = clip_time, rate
             continue
         action = me.action[seat]
-        clip_time = me.clip_time[seat] + step
-        me.rate[seat] = 1.0
+        # Who has left the schedule comes to its own speed without a jump, however time is cut.
+        excess, kept = me.rate[seat] - 1.0, math.exp(-step / COMING_FREE)
+        clip_time = me.clip_time[seat] + step + excess * COMING_FREE * (1.0 - kept)
+        me.rate[seat] = 1.0 + excess * kept
         if not shelf.entries[action].cyclic and clip_time >= shelf.entries[action].duration:
             clip_time = shelf.entries[action].duration
             me.rate[seat] = 0.0

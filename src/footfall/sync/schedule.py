@@ -223,7 +223,12 @@ def _row(
         phase = phases[slot]
         if muted[slot] or phase < 0 or has_ended(table, sequence, phase):
             return None
-        lasting = sum(s or 0.0 for p, s in zip(phases, seconds, strict=True) if p == phase)
+        first = last = slot
+        while first > 0 and phases[first - 1] == phase:
+            first -= 1
+        while last + 1 < len(phases) and phases[last + 1] == phase:
+            last += 1
+        lasting = sum(one or 0.0 for one in seconds[first : last + 1])
         return lasting / natural_duration(table, sequence, phase)
 
     return ScheduleRow(
