@@ -82,7 +82,7 @@ def clocks(me: Any) -> dict[tuple[int, int], tuple[float, float, bool]]:
             float(me["rate"][seat]),
             bool(me["playing"][seat] and not me["muted"][seat]),
         )
-        for seat in np.flatnonzero(me["status"] >= RUNNING)
+        for seat in np.flatnonzero(me["status"] >= RUNNING).tolist()
     }
 
 

@@ -22,10 +22,10 @@ def scaled(body: ff.Skeleton, factor: float) -> ff.Skeleton:
     return ff.Skeleton(body.names, body.parents, body.rest_offsets * factor)
 
 
-def performer(factor: float, **options: bool) -> ff.Character:
+def performer(factor: float) -> ff.Character:
     """Return a body of another size that performs the same two motions."""
     walk, supports = ff.sample("walk")
-    hero = ff.Character(scaled(walk.skeleton, factor), **options)
+    hero = ff.Character(scaled(walk.skeleton, factor))
     hero.add("walk", walk, supports)
     hero.add("run", *ff.sample("run"))
     return hero

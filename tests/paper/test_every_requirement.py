@@ -70,8 +70,9 @@ def marks_of(source: str) -> dict[int, list[str]]:
         if not isinstance(node, ast.FunctionDef):
             continue
         for mark in node.decorator_list:
-            called = isinstance(mark, ast.Call) and isinstance(mark.func, ast.Name)
-            if called and mark.func.id == "requirement":
+            if not isinstance(mark, ast.Call) or not isinstance(mark.func, ast.Name):
+                continue
+            if mark.func.id == "requirement":
                 number = ast.literal_eval(mark.args[0])
                 found.setdefault(number, []).append(node.name)
     return found

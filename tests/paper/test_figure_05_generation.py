@@ -16,9 +16,11 @@ from footfall.sync import Synchronizer
 WALK, MADE = ff.sample("walk")
 
 
-def carrying(**limits: float) -> tuple[float, float]:
+def carrying(height: float, speed: float) -> tuple[float, float]:
     """Return the share of the frames in which each foot is found in contact."""
-    left, right = detect_contacts(WALK, min_duration=0.0, **limits).flags.mean(axis=0)
+    left, right = detect_contacts(WALK, height=height, speed=speed, min_duration=0.0).flags.mean(
+        axis=0
+    )
     return float(left), float(right)
 
 

@@ -10,6 +10,7 @@ from tests.engine.test_pipeline import FPS, drift, play, walker
 from tests.paper.requirements import requirement
 
 import footfall as ff
+from footfall.engine.recording import Recording
 from footfall.engine.state import RUNNING
 from footfall.support import Support, SupportSequence
 from footfall.sync import Synchronizer
@@ -61,7 +62,7 @@ def test_what_one_character_is_told_another_does_not_notice() -> None:
     131, "An action of the upper body only takes part neither in the relation nor in equation 6."
 )
 def test_an_action_of_the_arms_changes_neither_supports_nor_durations() -> None:
-    def recorded(with_arms: bool) -> ff.engine.Recording:
+    def recorded(with_arms: bool) -> Recording:
         hero = ff.Character(ff.sample("walk")[0].skeleton)
         hero.add("walk", *ff.sample("walk"))
         hero.add("punch", *ff.sample("punch"), priority={"arms": 3.0, "trunk": 1.0})

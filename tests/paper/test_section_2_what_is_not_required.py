@@ -13,6 +13,7 @@ from tests.paper.requirements import requirement
 
 import footfall as ff
 from footfall.engine import library as library_module
+from footfall.engine.recording import Recording
 from footfall.samples import sample_names
 from footfall.support import Support, SupportSequence
 from footfall.sync import Synchronizer
@@ -146,13 +147,13 @@ def test_how_much_an_action_weighs_does_not_weaken_its_support(
 
 @requirement(22, "offers an intermediate solution that ensures continuity")
 def test_a_mix_of_a_slow_and_a_fast_walk_goes_at_a_speed_between_and_without_a_jump() -> None:
-    def recorded(*names: str) -> ff.engine.Recording:
+    def recorded(*names: str) -> Recording:
         hero = ff.Character(ff.sample("walk")[0].skeleton, footprints=False)
         for name in names:
             hero.add(name, *ff.sample(name))
         return play(hero, {0: ("start", names[0]), 1: ("start", names[-1])}, 240)
 
-    def speed(recording: ff.engine.Recording) -> float:
+    def speed(recording: Recording) -> float:
         way = recording.world_positions[-1, 0] - recording.world_positions[120, 0]
         return float(np.linalg.norm(way)) / (119 / FPS)
 
