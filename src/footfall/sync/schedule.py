@@ -18,7 +18,7 @@ from footfall.support import Support
 from footfall.sync.columns import has_ended, own_phase, support_of
 from footfall.sync.schedule_html import schedule_html
 from footfall.sync.schedule_text import schedule_text
-from footfall.sync.shares import natural_duration, slot_seconds
+from footfall.sync.shares import slot_seconds, stretch_of
 from footfall.sync.tables import Rules, SequenceTable
 from footfall.sync.window import Window
 
@@ -219,18 +219,6 @@ def _row(
     def support(phase: int) -> Support:
         return Support(support_of(table, sequence, phase, rules.ended))
 
-    def stretch(slot: int) -> float | None:
-        phase = phases[slot]
-        if muted[slot] or phase < 0 or has_ended(table, sequence, phase):
-            return None
-        first = last = slot
-        while first > 0 and phases[first - 1] == phase:
-            first -= 1
-        while last + 1 < len(phases) and phases[last + 1] == phase:
-            last += 1
-        lasting = sum(one or 0.0 for one in seconds[first : last + 1])
-        return lasting / natural_duration(table, sequence, phase)
-
     return ScheduleRow(
         name="",
         priority=0.0,
@@ -244,6 +232,9 @@ def _row(
             for phase, held_here in zip(phases, held, strict=True)
         ),
         muted=tuple(muted),
-        stretches=tuple(stretch(slot) for slot in range(len(phases))),
+        stretches=tuple(
+            None if quiet else stretch_of(table, sequence, phases, seconds, slot)
+            for slot, quiet in enumerate(muted)
+        ),
         waits=(),
     )

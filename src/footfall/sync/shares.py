@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from footfall.compilation import kernel
 from footfall.sync.columns import has_ended
 from footfall.sync.tables import Rules, SequenceTable
 from footfall.sync.window import Window
 
-__all__ = ["finish_slot", "natural_duration", "slot_seconds", "spend_slot"]
+__all__ = ["finish_slot", "natural_duration", "slot_seconds", "spend_slot", "stretch_of"]
 
 
 @kernel
@@ -98,3 +100,34 @@ def slot_seconds(
     if sum(weights) <= 0.0:
         return sum(own) / len(own)
     return sum(w * d for w, d in zip(weights, own, strict=True)) / sum(weights)
+
+
+def stretch_of(
+    table: SequenceTable,
+    sequence: int,
+    phases: Sequence[int],
+    seconds: Sequence[float | None],
+    slot: int,
+) -> float | None:
+    """Return how many times as long as at its own speed the phase of one slot lasts.
+
+    Args:
+        table: All sequences.
+        sequence: The row of one.
+        phases: Its absolute phase index in each slot.
+        seconds: How long each slot lasts.
+        slot: In which of them the phase is played.
+
+    Returns:
+        The factor, or None where the action does not play or has ended.
+    """
+    phase = phases[slot]
+    if has_ended(table, sequence, phase):
+        return None
+    first = last = slot
+    while first > 0 and phases[first - 1] == phase:
+        first -= 1
+    while last + 1 < len(phases) and phases[last + 1] == phase:
+        last += 1
+    lasting = sum(one or 0.0 for one in seconds[first : last + 1])
+    return lasting / natural_duration(table, sequence, phase)
