@@ -139,9 +139,8 @@ def pass_time(hero: ff.Character, dt: float) -> None:
                 # Built anew: from where the clip was, with the speed that it had.
                 assert (h0, v0) == pytest.approx((was_time, was_rate), abs=CLOSE)
             t1, h1, v1 = ends[seat].tolist()
-            over = not hero.crowd.library.actions[int(me["action"][seat])].clip.cyclic and (
-                clip_time >= hero.crowd.library.actions[int(me["action"][seat])].clip.duration
-            )
+            table, phase = hero.crowd.shelf.table, int(me["phases"][seat, 0])
+            over = has_ended(table, int(me["sequence"][seat]), phase)
             entered = int(me["slot_index"]) == slot + 1
             if abs(t1 - float(me["clock"])) < CLOSE and entered and rest and not over:
                 # The slot has ended as it was to end, and the next one goes on from there; a clip
