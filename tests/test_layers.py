@@ -17,7 +17,9 @@ OPEN = frozenset({"errors", "arrays", "compilation", "extras"})
 
 _BODIES = frozenset({"geometry", "skeleton", "motion", "support"})
 _STAGES = _BODIES | {"sync", "timing", "blending", "adaptation"}
-_ALL_BUT_FACES = _STAGES | {"detection", "actions", "engine", "scenario", "samples", "io"}
+_ALL_BUT_FACES = _STAGES | {
+    "detection", "actions", "engine", "baselines", "scenario", "samples", "io",
+}
 _NOBODY: frozenset[str] = frozenset()
 
 MAY_IMPORT: dict[str, frozenset[str]] = {
@@ -32,6 +34,7 @@ MAY_IMPORT: dict[str, frozenset[str]] = {
     "adaptation": frozenset({"geometry", "skeleton", "support"}),
     "actions": _BODIES | {"sync", "timing", "blending"},
     "engine": _STAGES | {"actions"},
+    "baselines": _STAGES | {"engine"},
     "samples": _BODIES,
     "io": _BODIES,
     "scenario": _ALL_BUT_FACES,

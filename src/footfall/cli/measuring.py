@@ -22,6 +22,7 @@ from footfall.report import (
     performance_trace,
 )
 from footfall.scenario.cue_sheet import Scenario
+from footfall.scenario.methods import METHODS
 from footfall.scenario.motions import Motion
 from footfall.scenario.performance import Performance, load_motions, perform, support_text
 from footfall.skeleton import find_anatomy
@@ -40,7 +41,7 @@ class Comparison:
     """One cue sheet by several methods."""
 
     performances: Mapping[str, Performance]
-    """What each method made of it, by its name of `footfall.report.METHODS`."""
+    """What each method made of it, by its name of `footfall.scenario.methods.METHODS`."""
 
     reports: Mapping[str, MethodReport]
     """How good that is."""
@@ -78,10 +79,15 @@ def compare(scenario: Scenario) -> Comparison:
     motions = load_motions(scenario)
     sources = _Sources.of(motions)
     performances = {
-        "cross-fade": perform(scenario, synchronized=False, motions=motions),
-        "paper": perform(scenario, planner="paper", footprints=False, motions=motions),
-        "no-footprints": perform(scenario, footprints=False, motions=motions),
-        "footfall": perform(scenario, motions=motions),
+        name: perform(
+            scenario,
+            synchronized=method.synchronized,
+            footprints=method.footprints,
+            planner=method.planner,
+            pacing=None if method.pacing is None else method.pacing(),
+            motions=motions,
+        )
+        for name, method in METHODS.items()
     }
     reports = {name: _measured(one, sources) for name, one in performances.items()}
     return Comparison(performances, reports)

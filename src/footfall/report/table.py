@@ -9,7 +9,14 @@ from footfall.report.summary import MethodReport
 
 __all__ = ["METHODS", "text_table"]
 
-METHODS = ("cross-fade", "paper", "no-footprints", "footfall")
+METHODS = (
+    "cross-fade",
+    "equal-cycles",
+    "marker-leader",
+    "paper",
+    "no-footprints",
+    "footfall",
+)
 """The methods that are compared, in the order of the table (measures, section 3)."""
 
 HEADINGS = (

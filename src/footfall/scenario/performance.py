@@ -9,6 +9,7 @@ import numpy as np
 
 from footfall.adaptation import AnyGround
 from footfall.arrays import Floats, Supports, frozen
+from footfall.baselines import Pacing
 from footfall.engine.recording import Recording
 from footfall.errors import FootfallError, ScenarioError
 from footfall.motion import with_soles
@@ -76,6 +77,7 @@ def perform(
     synchronized: bool = True,
     footprints: bool = True,
     planner: Planner | None = None,
+    pacing: Pacing | None = None,
     motions: tuple[Motion, ...] | None = None,
 ) -> Performance:
     """Play a cue sheet.
@@ -88,6 +90,7 @@ def perform(
         synchronized: Whether supports are synchronized at all.
         footprints: Whether planted feet are held where they came down.
         planner: Instead of the scenario's.
+        pacing: What keeps the clips in step instead, without synchronization or footprints.
         motions: As `load_motions` returns them, so as not to load them again.
 
     Raises:
@@ -105,12 +108,14 @@ def perform(
             planner=planner,
             synchronized=synchronized,
             footprints=footprints,
+            pacing=pacing,
         )
         stage = Play(character, scenario, ground)
         recording, starts = stage.play()
     except FootfallError as error:
         raise ScenarioError(f"{scenario.path}: {error}") from error
-    supports = recording.supports if synchronized else _heaviest(recording, motions)
+    planned = synchronized and pacing is None
+    supports = recording.supports if planned else _heaviest(recording, motions)
     shown = character.library.actions[0].clip
     anatomy = with_soles(find_anatomy(character.skeleton), *shown.world_poses())
     return Performance(

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from footfall.adaptation import Plane
+from footfall.baselines import PacedCharacter, Pacing
 from footfall.engine import Character, MotionLibrary
 from footfall.motion import Clip, extract_root_path
 from footfall.scenario.cue_sheet import ActionEntry, Scenario
@@ -25,6 +26,7 @@ def prepare_character(
     synchronized: bool = True,
     footprints: bool = True,
     clips: Sequence[Clip] | None = None,
+    pacing: Pacing | None = None,
 ) -> tuple[Character, float]:
     """Return a character as `perform` begins with it, and the height of its ground [m].
 
@@ -38,15 +40,20 @@ def prepare_character(
         footprints: Whether planted feet are held where they came down.
         clips: The motions as the body performs them, as the library of a character made them
             before; by default it makes them.
+        pacing: What keeps the clips in step instead, without synchronization or footprints.
     """
     ground = _floor(motions[leading])
-    character = Character(
-        body or body_of(scenario) or motions[0].clip.skeleton,
-        ground=Plane(ground),
-        planner=planner or scenario.planner,
-        synchronized=synchronized,
-        footprints=footprints,
-    )
+    skeleton = body or body_of(scenario) or motions[0].clip.skeleton
+    if pacing is not None:
+        character: Character = PacedCharacter(skeleton, pacing, ground=Plane(ground))
+    else:
+        character = Character(
+            skeleton,
+            ground=Plane(ground),
+            planner=planner or scenario.planner,
+            synchronized=synchronized,
+            footprints=footprints,
+        )
     made = clips or [motion.clip for motion in motions]
     for entry, motion, clip in zip(scenario.actions, motions, made, strict=True):
         add_action(character, entry, Motion(clip, motion.supports))
