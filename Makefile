@@ -4,7 +4,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 READY := $(VENV)/.ready
 
-.PHONY: demo test lint real full clean
+.PHONY: demo test lint real full comparison clean
 
 $(READY): pyproject.toml constraints.txt
 	$(PYTHON) -m venv $(VENV)
@@ -29,6 +29,10 @@ real: $(READY)
 
 full: lint
 	$(BIN)/pytest -q -n 2
+
+# docs/comparison.md, anew: ours beside what others offer. Without ../shared/motions, samples only.
+comparison: $(READY)
+	$(BIN)/python -m benchmarks.comparison
 
 clean:
 	rm -rf $(VENV) demo out build dist

@@ -18,7 +18,13 @@ OPEN = frozenset({"errors", "arrays", "compilation", "extras"})
 _BODIES = frozenset({"geometry", "skeleton", "motion", "support"})
 _STAGES = _BODIES | {"sync", "timing", "blending", "adaptation"}
 _ALL_BUT_FACES = _STAGES | {
-    "detection", "actions", "engine", "baselines", "scenario", "samples", "io",
+    "detection",
+    "actions",
+    "engine",
+    "baselines",
+    "scenario",
+    "samples",
+    "io",
 }
 _NOBODY: frozenset[str] = frozenset()
 

@@ -12,6 +12,7 @@ from types import MappingProxyType
 import numpy as np
 
 from footfall.arrays import Flags, Floats, Positions
+from footfall.geometry import rotate
 from footfall.motion import Clip
 from footfall.skeleton import Anatomy, find_anatomy
 
@@ -34,7 +35,7 @@ def speed_contacts(clip: Clip, anatomy: Anatomy | None = None, *, speed: float =
     Returns:
         Flags, shape (frames, 2 feet).
     """
-    return (_speeds(clip, _points(clip, anatomy)) < speed).any(axis=2)
+    return _either(_speeds(clip, _points(clip, anatomy)) < speed)
 
 
 def height_and_speed_contacts(
@@ -53,7 +54,7 @@ def height_and_speed_contacts(
     """
     points = _points(clip, anatomy)
     heights = points[..., 1] - points[..., 1].min()
-    return ((_speeds(clip, points) < speed) & (heights < height)).any(axis=2)
+    return _either((_speeds(clip, points) < speed) & (heights < height))
 
 
 def displacement_contacts(
@@ -72,7 +73,7 @@ def displacement_contacts(
         Flags, shape (frames, 2 feet).
     """
     points = _points(clip, anatomy)
-    return (_steps(points) ** 2 < squared).any(axis=2)
+    return _either(_steps(points) ** 2 < squared)
 
 
 FIXED_RULES: Mapping[str, Callable[[Clip], Flags]] = MappingProxyType(
@@ -88,8 +89,13 @@ FIXED_RULES: Mapping[str, Callable[[Clip], Flags]] = MappingProxyType(
 def _points(clip: Clip, anatomy: Anatomy | None) -> Positions:
     """Return ankle and toe of each foot [m], shape (frames, 2 feet, 2 points, 3)."""
     anatomy = find_anatomy(clip.skeleton) if anatomy is None else anatomy
-    joints = [[leg.ankle, leg.ankle if leg.toe is None else leg.toe] for leg in anatomy.legs]
-    return clip.world_poses()[1][:, np.array(joints)]
+    rotations, positions = clip.world_poses()
+    points = np.empty((clip.frames, 2, 2, 3))
+    for side, leg in enumerate(anatomy.legs):
+        turned = rotate(rotations[:, leg.toe.joint], np.array(leg.toe.offset))
+        points[:, side, 0] = positions[:, leg.ankle]
+        points[:, side, 1] = positions[:, leg.toe.joint] + turned
+    return points
 
 
 def _steps(points: Positions) -> Floats:
@@ -100,3 +106,8 @@ def _steps(points: Positions) -> Floats:
 
 def _speeds(clip: Clip, points: Positions) -> Floats:
     return _steps(points) * clip.fps
+
+
+def _either(down: Flags) -> Flags:
+    """Return whether ankle or toe is down, shape (frames, 2 feet)."""
+    return down[..., 0] | down[..., 1]

@@ -52,7 +52,7 @@ class PacedCharacter(Character):
         actions = self.library.actions
         playing = [
             Playing(
-                actions[me["action"][seat]].supports,
+                actions[int(me["action"][seat])].supports,
                 float(me["clip_time"][seat]),
                 float(me["weights"][seat, BodyPart.LEGS]),
                 bool(self._entered[seat] != me["age"][seat]),

@@ -3,6 +3,7 @@
 from footfall.report.comparisons import skating_ratio, weighted_skate
 from footfall.report.mismatch import Mismatch, support_mismatch
 from footfall.report.performances import performance_trace, recording_trace
+from footfall.report.played import played_phases
 from footfall.report.pops import Pops, joint_pops
 from footfall.report.slip import SpanMeasure, carried_steps, measure_spans
 from footfall.report.sources import SourceSlips, clip_trace, mean_source_slips
@@ -48,6 +49,7 @@ __all__ = [
     "measure_schedule",
     "measure_spans",
     "performance_trace",
+    "played_phases",
     "recording_trace",
     "runs",
     "skating_ratio",
