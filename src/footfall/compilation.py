@@ -16,15 +16,18 @@ from pathlib import Path
 from typing import Any, TypeVar, cast
 
 import numba  # pyright: ignore[reportMissingTypeStubs]
+import numpy as np
+import numpy.typing as npt
 from numba.core import config as numba_config  # pyright: ignore[reportMissingTypeStubs]
 
-__all__ = ["inlined_kernel", "inner_kernel", "kernel"]
+__all__ = ["inlined_kernel", "inner_kernel", "kernel", "records"]
 
 Function = TypeVar("Function", bound=Callable[..., Any])
 
 
 LEAVES = frozenset(
     {
+        "baselines",
         "cli",
         "datasets",
         "detection",
@@ -110,3 +113,12 @@ def inlined_kernel(function: Function) -> Function:
     njit: Any = numba.njit
     compiled: Any = njit(nogil=True, error_model="numpy", inline="always")(function)
     return cast(Function, compiled)
+
+
+def records(array: npt.NDArray[Any]) -> npt.NDArray[Any]:
+    """Return an array of records as kernels take it.
+
+    Compiled code reads the fields of a record as attributes. Where nothing is compiled, with
+    NUMBA_DISABLE_JIT, NumPy needs to be told to do so.
+    """
+    return array.view(np.recarray) if _numba_config.DISABLE_JIT else array

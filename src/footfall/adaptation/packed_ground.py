@@ -11,7 +11,7 @@ from footfall.adaptation.ground import AnyGround, Plane, Platform, Ramp, Stairs,
 from footfall.adaptation.height_field import HeightField
 from footfall.adaptation.surfaces import FIELD, SLOPE, STAIRS, Ground, probe, surface_type
 from footfall.arrays import Floats, Positions, Seconds
-from footfall.compilation import kernel
+from footfall.compilation import kernel, records
 
 __all__ = ["ground_heights", "pack_ground"]
 
@@ -19,7 +19,7 @@ __all__ = ["ground_heights", "pack_ground"]
 def pack_ground(ground: AnyGround) -> Ground:
     """Return a ground as the kernels take it."""
     parts = ground.parts if isinstance(ground, Terrain) else (ground,)
-    surfaces = np.zeros(len(parts), dtype=surface_type)
+    surfaces = records(np.zeros(len(parts), dtype=surface_type))
     samples: list[Floats] = [np.zeros(1)]
     first = 1
     for surface, part in zip(surfaces, parts, strict=True):

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from footfall.arrays import Floats, SmallFloats
+from footfall.compilation import records
 from footfall.engine.packing import PackedClip, pack_clip, pack_standing
 from footfall.engine.priorities import parse_priority
 from footfall.engine.shelf import Shelf, entry_type
@@ -228,7 +229,7 @@ def _check_supports(name: str, clip: Clip, supports: SupportSequence) -> None:
 
 def _entries(actions: list[Action]) -> Any:
     """Return one record an action, in their order."""
-    entries = np.zeros(len(actions), dtype=entry_type)
+    entries = records(np.zeros(len(actions), dtype=entry_type))
     frame = phase = 0
     for entry, action in zip(entries, actions, strict=True):
         clip, count = action.clip, len(action.supports.phases)

@@ -8,6 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from footfall.arrays import Positions, Rotations
+from footfall.compilation import records
 from footfall.engine.record import COLUMNS, SEATS, Character
 from footfall.support import Support
 from footfall.sync.search_memory import new_search_memory
@@ -88,7 +89,7 @@ def character_type(lookahead: int) -> np.dtype[Any]:
 
 def new_characters(rows: int, lookahead: int) -> npt.NDArray[Any]:
     """Return characters that stand at the origin and play nothing, shape (rows,)."""
-    characters = np.zeros(rows, dtype=character_type(lookahead))
+    characters = records(np.zeros(rows, dtype=character_type(lookahead)))
     characters["synchronized"] = 1
     characters["printed"] = 1
     characters["fresh"] = 1

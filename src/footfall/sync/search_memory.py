@@ -12,6 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from footfall.arrays import Floats, Indices, Seconds, Supports, Weights
+from footfall.compilation import records
 
 __all__ = ["DEEPEST", "LANES", "NODES", "SearchMemories", "SearchMemory", "new_search_memory"]
 
@@ -156,4 +157,4 @@ _TYPE = np.dtype(
 
 def new_search_memory() -> SearchMemories:
     """Return the working memory of one thread: an array of one `SearchMemory`."""
-    return np.zeros(1, dtype=_TYPE)
+    return records(np.zeros(1, dtype=_TYPE))

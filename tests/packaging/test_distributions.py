@@ -1,0 +1,112 @@
+"""Wheel and source archive, built and installed where nothing else is."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+import sys
+import tarfile
+import tomllib
+import zipfile
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[2]
+FIRST_PROGRAM = """
+import footfall as ff
+
+walk, supports = ff.sample("walk")
+hero = ff.Character(walk.skeleton)
+hero.add("walk", walk, supports)
+hero.add("run", *ff.sample("run"), priority=2.0)
+hero.start("walk")
+hero.advance(0.5)
+hero.start("run")
+print(hero.advance(0.5).world_positions.shape, ff.__file__)
+"""
+
+pytestmark = pytest.mark.full
+
+
+def runs(command: str) -> bool:
+    """Whether an interpreter is there: a stand-in on the path may say that it is not."""
+    if shutil.which(command) is None:
+        return False
+    return subprocess.run([command, "--version"], capture_output=True, check=False).returncode == 0
+
+
+def interpreters() -> list[str]:
+    """Return the oldest and the newest supported Python of this machine."""
+    oldest = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]["requires-python"]
+    first = int(oldest.removeprefix(">=3."))
+    found = [name for minor in range(first, first + 8) if runs(name := f"python3.{minor}")]
+    return sorted({found[0], found[-1]}) if found else [sys.executable]
+
+
+@pytest.fixture(scope="module")
+def built(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    folder = tmp_path_factory.mktemp("dist")
+    subprocess.run([sys.executable, "-m", "build", "--outdir", folder, ROOT], check=True)
+    return folder
+
+
+def archive(built: Path, pattern: str) -> Path:
+    (found,) = built.glob(pattern)
+    return found
+
+
+def test_the_wheel_has_every_module_and_says_that_it_is_typed(built: Path) -> None:
+    names = set(zipfile.ZipFile(archive(built, "*.whl")).namelist())
+    source = ROOT / "src"
+    parts = [
+        path
+        for path in (source / "footfall").rglob("*")
+        if path.is_file() and "__pycache__" not in path.parts
+    ]
+    assert {str(path.relative_to(source)) for path in parts} <= names
+    assert "footfall/py.typed" in names
+    assert any(name.endswith("licenses/LICENSE") for name in names)
+    assert not any(name.startswith(("tests", "docs", "benchmarks")) for name in names)
+
+
+def test_the_source_archive_has_what_a_packager_needs(built: Path) -> None:
+    with tarfile.open(archive(built, "*.tar.gz")) as opened:
+        names = {name.split("/", 1)[1] for name in opened.getnames() if "/" in name}
+    assert {"pyproject.toml", "LICENSE", "README.md", "Makefile", "CITATION.cff"} <= names
+    assert "tests/test_layers.py" in names
+    assert not any(name.startswith((".venv", "out", "demo")) for name in names)
+
+
+@pytest.mark.parametrize("kind", ["*.whl", "*.tar.gz"])
+@pytest.mark.parametrize("python", interpreters())
+def test_the_first_program_runs_where_nothing_else_is(
+    built: Path, python: str, kind: str, tmp_path: Path
+) -> None:
+    home = tmp_path / "empty"
+    subprocess.run([python, "-m", "venv", home], check=True)
+    own = str(home / "bin" / "python")
+    subprocess.run(
+        [own, "-m", "pip", "install", "-q", "--disable-pip-version-check", archive(built, kind)],
+        check=True,
+    )
+    environment = {
+        name: value for name, value in os.environ.items() if not name.startswith("PYTHON")
+    }
+    told = subprocess.run(
+        [own, "-c", FIRST_PROGRAM],
+        check=True,
+        capture_output=True,
+        text=True,
+        cwd=tmp_path,
+        env=environment,
+    ).stdout
+    assert told.startswith("(")
+    assert str(home) in told
+    version = subprocess.run(
+        [home / "bin" / "footfall", "--version"], check=True, capture_output=True, text=True
+    ).stdout
+    assert version.strip() == tomllib.loads((ROOT / "pyproject.toml").read_text())["project"][
+        "version"
+    ]
