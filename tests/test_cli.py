@@ -12,6 +12,7 @@ from footfall.cli import main
 from footfall.io import load_skinned, save_gltf, save_skinned
 from footfall.io.motion_formats import WRITERS
 from footfall.samples import sample_names
+from footfall.scenario.methods import METHODS
 
 SHEET = """
 duration = 0.5
@@ -176,7 +177,7 @@ def test_blend_writes_motion_supports_and_figures(
     told = json.loads(figures.read_text())
     assert (told["fps"], told["frames"], len(told["supports"])) == (60.0, 31, 31)
     assert told["starts"] == [{"action": "walk", "commanded": 0.1, "actual": 0.1, "reason": ""}]
-    assert list(told["rows"]) == ["cross-fade", "paper", "no-footprints", "footfall"]
+    assert list(told["rows"]) == list(METHODS)
     assert ff.load_supports(tmp_path / "out.supports").duration == pytest.approx(0.5)
 
 

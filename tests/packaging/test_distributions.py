@@ -107,6 +107,7 @@ def test_the_first_program_runs_where_nothing_else_is(
     version = subprocess.run(
         [home / "bin" / "footfall", "--version"], check=True, capture_output=True, text=True
     ).stdout
-    assert version.strip() == tomllib.loads((ROOT / "pyproject.toml").read_text())["project"][
-        "version"
-    ]
+    assert (
+        version.strip()
+        == tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]["version"]
+    )

@@ -1,0 +1,150 @@
+"""Whatever is asked of a character, in whatever order: it stays whole, or says what is wrong."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from hypothesis import HealthCheck, settings
+from hypothesis import strategies as st
+from hypothesis.stateful import RuleBasedStateMachine, initialize, invariant, precondition, rule
+
+from footfall.adaptation import Plane, Stairs, Terrain
+from footfall.engine import Character, Impossible, Started, Waiting
+from footfall.engine.record import SEATS
+from footfall.errors import ArgumentError, UnknownNameError
+from footfall.samples import sample, sample_names
+from footfall.skeleton import BodyPart, find_anatomy, leg_length
+
+NAMES = st.sampled_from(sample_names())
+STEPS = st.one_of(st.just(0.0), st.just(1 / 60), st.floats(0.0, 1.0))
+PRIORITIES = st.one_of(
+    st.floats(0.1, 10.0),
+    st.fixed_dictionaries({"legs": st.floats(0.0, 5.0), "arms": st.floats(0.1, 5.0)}),
+)
+GROUNDS = st.sampled_from(
+    [
+        Plane(),
+        Plane(0.3),
+        Plane(0.0, (0.0, 0.2)),
+        Terrain((Plane(), Stairs((0.0, 0.0, 1.0), 6))),
+    ]
+)
+
+
+class AnyOrder(RuleBasedStateMachine):
+    """The commands of a character in any order."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.known: list[str] = []
+        self.clock = 0.0
+
+    @initialize(synchronized=st.sampled_from([True, True, True, False]), paper=st.booleans())
+    def prepare(self, synchronized: bool, paper: bool) -> None:
+        body = sample("walk")[0].skeleton
+        self.hero = Character(
+            body, synchronized=synchronized, planner="paper" if paper else "footfall"
+        )
+        self.legs = find_anatomy(body).legs
+        self.reach = [leg_length(body, leg) for leg in self.legs]
+
+    @rule(name=NAMES, priority=PRIORITIES, fade=st.floats(0.0, 1.0))
+    def add(self, name: str, priority: Any, fade: float) -> None:
+        try:
+            self.hero.add(name, *sample(name), priority=priority, fade_in=fade, fade_out=fade)
+        except ArgumentError as error:
+            assert name in self.known, error
+        else:
+            self.known.append(name)
+
+    @rule(name=NAMES)
+    def start(self, name: str) -> None:
+        try:
+            answer = self.hero.start(name)
+        except UnknownNameError:
+            assert name not in self.known
+        except ArgumentError as error:
+            assert not self.known or "stop one first" in str(error)
+        else:
+            assert isinstance(answer, Started | Waiting)
+            if isinstance(answer, Started):
+                assert answer.at == self.hero.crowd.characters[0]["clock"]
+            else:
+                assert answer.reason
+                assert self.hero.is_waiting(name)
+                assert (
+                    isinstance(answer, Impossible)
+                    or answer.until is None
+                    or (answer.until >= self.clock - 1e-6)
+                )
+            assert self.hero.is_active(name)
+
+    @precondition(lambda self: self.known)
+    @rule(data=st.data())
+    def stop(self, data: st.DataObject) -> None:
+        name = data.draw(st.sampled_from(self.known))
+        waiting = self.hero.is_waiting(name)
+        self.hero.stop(name)
+        assert not (waiting and self.hero.is_active(name))
+
+    @precondition(lambda self: self.known)
+    @rule(data=st.data(), priority=PRIORITIES)
+    def set_priority(self, data: st.DataObject, priority: Any) -> None:
+        self.hero.set_priority(data.draw(st.sampled_from(self.known)), priority)
+
+    @precondition(lambda self: self.known)
+    @rule(ground=GROUNDS)
+    def change_ground(self, ground: Any) -> None:
+        self.hero.crowd.ground = ground
+
+    @precondition(lambda self: self.known)
+    @rule(x=st.floats(-9.0, 9.0), z=st.floats(-9.0, 9.0), heading=st.floats(-4.0, 4.0))
+    def place(self, x: float, z: float, heading: float) -> None:
+        self.hero.place(x, z, heading)
+
+    @precondition(lambda self: self.known)
+    @rule(dt=STEPS)
+    def advance(self, dt: float) -> None:
+        frame = self.hero.advance(dt)
+        self.clock += dt
+        assert abs(frame.clock - self.clock) < 1e-6 * (1.0 + self.clock)
+        assert np.isfinite(frame.world_positions).all()
+        norms = np.linalg.norm(frame.world_rotations, axis=-1)
+        np.testing.assert_allclose(norms, 1.0, atol=1e-6)
+        for leg, reach in zip(self.legs, self.reach, strict=True):
+            apart = frame.world_positions[leg.hip] - frame.world_positions[leg.ankle]
+            assert np.linalg.norm(apart) <= reach * (1.0 + 1e-6)
+        weights = self.hero.crowd.characters[0]["weights"]
+        assert (weights >= 0.0).all()
+        np.testing.assert_allclose(weights.sum(axis=0), np.ones(len(BodyPart)), atol=1e-9)
+
+    @precondition(lambda self: self.known)
+    @rule(dt=st.sampled_from([-1e-9, -1.0, float("nan"), float("inf")]))
+    def advance_by_what_is_no_time(self, dt: float) -> None:
+        before = self.hero.crowd.characters.tobytes()
+        try:
+            self.hero.advance(dt)
+        except ArgumentError as error:
+            assert str(error) == f"dt is {dt} s; it must be finite and >= 0"
+        else:
+            raise AssertionError("it was taken")
+        assert self.hero.crowd.characters.tobytes() == before
+
+    @invariant()
+    def nobody_has_more_than_the_seats(self) -> None:
+        if self.known:
+            active = [name for name in self.known if self.hero.is_active(name)]
+            assert len(active) <= SEATS
+            assert str(self.hero.schedule)
+            for name in self.known:
+                assert self.hero.state(name) is not None
+
+
+AnyOrder.TestCase.settings = settings(
+    max_examples=40,
+    stateful_step_count=25,
+    deadline=None,
+    suppress_health_check=list(HealthCheck),
+)
+TestAnyOrder = AnyOrder.TestCase
