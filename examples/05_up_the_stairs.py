@@ -1,6 +1,6 @@
 """A walk over the level and up some stairs, its feet on every step.
 
-The picture shows it from its right side.
+The picture shows it from its right side; the line is the level, the steps are not drawn.
 """
 
 import sys

@@ -130,3 +130,10 @@ def test_turning_back_takes_its_share_of_the_time_or_twice_that(
     almost = advance_progress(progress, elapsed, 2.0, rest - 1e-6, may_move)
     assert almost < 1.0
     assert advance_progress(progress, elapsed, 2.0, rest, may_move) == 1.0
+
+
+@pytest.mark.parametrize("asked", [0.0, 5e-324, 1e-300, 9e-10])
+@pytest.mark.parametrize("dt", [0.0, 1.0 / 60.0])
+def test_a_fade_of_next_to_no_length_is_over_at_once(asked: float, dt: float) -> None:
+    assert advance_progress(0.0, 0.0, asked, dt, 1.0) == 1.0
+    assert advance_progress(0.0, 0.0, asked, dt, 0.0) == 1.0

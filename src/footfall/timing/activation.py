@@ -13,6 +13,7 @@ __all__ = ["advance_progress", "level", "reverse_fade", "smoothstep"]
 
 # Sums of frame times miss 1 by rounding; a fade that close to its end is over.
 _COMPLETE = 1.0 - 1e-13
+_SHORTEST = 1e-9  # Of a fade [s]: the reciprocal of a much shorter one is infinite.
 
 
 @kernel
@@ -49,11 +50,12 @@ def advance_progress(
     Args:
         progress: How far the fade is, 0..1.
         elapsed: Time since the fade began [s], `dt` not included.
-        asked: How long the fade should last [s], >= 0; a fade of no length is over at once.
+        asked: How long the fade should last [s], >= 0; one shorter than a nanosecond is over at
+            once.
         dt: Time to advance by [s], >= 0.
         pace: How fast weights may move all this time, 0 to 1, which is full pace.
     """
-    if asked <= 0.0:
+    if asked < _SHORTEST:
         return 1.0
     # Time that can still be spent below full pace, and how long it lasts at this pace.
     spare = 2.0 * asked - elapsed - (1.0 - progress) * asked
