@@ -4,7 +4,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 READY := $(VENV)/.ready
 
-.PHONY: demo test lint real full comparison clean
+.PHONY: demo test lint real full comparison coverage site clean
 
 $(READY): pyproject.toml constraints.txt
 	$(PYTHON) -m venv $(VENV)
@@ -15,8 +15,8 @@ demo: $(READY)
 	$(BIN)/footfall demo -o demo
 
 lint: $(READY)
-	$(BIN)/ruff check src tests
-	$(BIN)/ruff format --check src tests
+	$(BIN)/ruff check src tests benchmarks examples
+	$(BIN)/ruff format --check src tests benchmarks examples
 	$(BIN)/pyright
 
 test: lint
@@ -33,6 +33,18 @@ full: lint
 # docs/comparison.md, anew: ours beside what others offer. Without ../shared/motions, samples only.
 comparison: $(READY)
 	$(BIN)/python -m benchmarks.comparison
+
+# Lines and branches of the core that its tests run, as plain Python: an hour on one core.
+comma := ,
+CORE := support sync timing blending adaptation skeleton motion detection
+coverage: $(READY)
+	NUMBA_DISABLE_JIT=1 $(BIN)/coverage run --branch --source=src/footfall -m pytest -q -n 0 \
+		-p tests.few_examples -m "not full" $(CORE:%=tests/%) tests/paper tests/engine
+	$(BIN)/coverage report --include='$(subst $(eval ) ,$(comma),$(CORE:%=src/footfall/%/*))'
+
+# The documentation as a site, in out/site.
+site: $(READY)
+	$(BIN)/zensical build -f mkdocs.yml
 
 clean:
 	rm -rf $(VENV) demo out build dist
