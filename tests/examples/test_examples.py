@@ -9,13 +9,14 @@ from pathlib import Path
 import pytest
 
 FOLDER = Path(__file__).parents[2] / "examples"
+PICTURES = FOLDER.parent / "docs" / "images" / "examples"
 EXAMPLES = sorted(FOLDER.glob("[0-9][0-9]_*.py"))
 
 
 @pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
 def test_an_example_is_short_and_has_its_picture(path: Path) -> None:
     assert len(path.read_text(encoding="utf-8").splitlines()) <= 60
-    assert (FOLDER / "pictures" / f"{path.stem}.svg").exists()
+    assert (PICTURES / f"{path.stem}.svg").exists()
 
 
 def test_they_are_numbered_without_a_gap() -> None:
