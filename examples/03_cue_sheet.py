@@ -6,10 +6,9 @@ The picture is its schedule: a lane an action, an arrow a command.
 import sys
 from pathlib import Path
 
-from footfall.cli.lanes import performance_timeline
 from footfall.scenario.cue_sheet import parse_scenario
 from footfall.scenario.performance import perform
-from footfall.view import timeline_svg
+from footfall.view import performance_timeline, timeline_svg
 
 CUES = """
 fps = 60

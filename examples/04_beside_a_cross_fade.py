@@ -7,7 +7,7 @@ import sys
 from pathlib import Path
 
 from footfall.baselines import EqualCycles
-from footfall.cli.measuring import performance_trace
+from footfall.report import performance_trace
 from footfall.scenario.cue_sheet import parse_scenario
 from footfall.scenario.performance import perform
 from footfall.view import foot_traces_svg

@@ -19,8 +19,8 @@ from benchmarks.comparison.page import (
 )
 from benchmarks.comparison.sheets import ROOT, SheetResult, play_sheets
 
-from footfall.cli.measuring import performance_trace
 from footfall.io import write_atomically
+from footfall.report import performance_trace
 from footfall.view import foot_traces_svg
 
 BUDGET = 600.0

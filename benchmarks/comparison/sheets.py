@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from footfall.arrays import Floats
-from footfall.cli.measuring import Comparison, compare, performance_trace
+from footfall.cli.measuring import Comparison, compare
 from footfall.report import (
     Delay,
     Group,
@@ -21,6 +21,7 @@ from footfall.report import (
     Track,
     measure_schedule,
     measure_spans,
+    performance_trace,
     played_phases,
 )
 from footfall.scenario.cue_sheet import Scenario, parse_scenario

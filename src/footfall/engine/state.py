@@ -81,7 +81,9 @@ def character_type(lookahead: int) -> np.dtype[Any]:
             fields.append((name, numbers[hint]))
             continue
         array, *shape = get_args(hint)
-        number = get_args(get_args(array)[1])[0]
+        # The last argument of an array type is its numbers' type; before NumPy 2.5, its dtype.
+        number = get_args(array)[-1]
+        number = (get_args(number) or (number,))[0]
         number = np.int8 if number is np.bool_ else number
         fields.append((name, number, tuple(lookahead + 2 if n == COLUMNS else n for n in shape)))
     return np.dtype(fields, align=True)
