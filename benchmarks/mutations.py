@@ -71,12 +71,13 @@ def _damage(node: ast.AST) -> str | None:
         before = type(node.op)
         node.op = ast.Or() if isinstance(node.op, ast.And) else ast.And()
         return f"{before.__name__} -> {type(node.op).__name__}"
-    if isinstance(node, ast.Constant) and type(node.value) in (int, float):
-        node.value += 1
-        return f"{node.value - 1} -> {node.value}"
     if isinstance(node, ast.Constant) and isinstance(node.value, bool):
         node.value = not node.value
         return f"{not node.value} -> {node.value}"
+    if isinstance(node, ast.Constant) and isinstance(node.value, int | float):
+        number = node.value
+        node.value = number + 1
+        return f"{number} -> {node.value}"
     return None
 
 

@@ -71,7 +71,7 @@ def answer_text(text: str) -> None:
 @settings(max_examples=150, deadline=None)
 @given(line=st.integers(0, SHEET.count("\n") - 1), value=VALUES)
 def test_any_value_of_any_field(line: int, value: str) -> None:
-    lines = SHEET.splitlines()
+    lines: list[str] = [*SHEET.splitlines()]
     key = lines[line].split("=")[0]
     lines[line] = f"{key} = {value}" if "=" in lines[line] else value
     answer_text("\n".join(lines))

@@ -97,14 +97,11 @@ def perform(
         ScenarioError: If a motion cannot be used, or too many actions run together.
     """
     motions = load_motions(scenario) if motions is None else motions
-    first = next((cue.action for cue in scenario.cues if cue.kind == "start"), None)
-    names = [entry.name for entry in scenario.actions]
-    leading = 0 if first is None else names.index(first)
     try:
         character, ground = prepare_character(
             scenario,
             motions,
-            leading,
+            _leading(scenario),
             planner=planner,
             synchronized=synchronized,
             footprints=footprints,
@@ -129,6 +126,13 @@ def perform(
         lifts=frozen(stage.lifts),
         grounds=tuple(stage.grounds),
     )
+
+
+def _leading(scenario: Scenario) -> int:
+    """Return the action that is started first, or else the first one."""
+    first = next((cue.action for cue in scenario.cues if cue.kind == "start"), None)
+    names = [entry.name for entry in scenario.actions]
+    return 0 if first is None else names.index(first)
 
 
 def support_text(supports: Supports) -> str:
