@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from footfall.support import Support, combine
+from footfall.support.algebra import EVERY_LIMB
 
 D, R, L, ERR, NO = (
     Support.DOUBLE,
@@ -84,3 +85,12 @@ def test_feet_and_supports_are_the_same_thing(left: bool, right: bool) -> None:
 
 def test_in_a_conflict_no_foot_carries() -> None:
     assert (ERR.left, ERR.right) == (False, False)
+
+
+@pytest.mark.parametrize("limb", range(6))
+def test_every_limb_has_a_bit_of_its_own_beside_that_of_the_ground(limb: int) -> None:
+    assert int(Support.from_limbs([limb])) == 1 | 2 << limb
+
+
+def test_every_limb_at_once_is_every_bit() -> None:
+    assert EVERY_LIMB == 0b1111111
