@@ -11,15 +11,16 @@ import numpy.typing as npt
 from footfall.adaptation import AnyGround, Plane
 from footfall.arrays import Positions, Rotations, Supports
 from footfall.engine.commands import NO_SEAT, start_row, stop_row
+from footfall.engine.flight import FLIGHTS, Flight
 from footfall.engine.library import MotionLibrary
 from footfall.engine.parameters import FINEST, Parameters
 from footfall.engine.pipeline import advance_rows
+from footfall.engine.reaching import Reaching
 from footfall.engine.record import SEATS
 from footfall.engine.refusals import LATE, Late, check_patience, explain_wait
 from footfall.engine.rows import Rows, check_rows
 from footfall.engine.shelf import Shelf
 from footfall.engine.state import new_characters, new_workspace
-from footfall.engine.steering import Steering
 from footfall.errors import ArgumentError, SkeletonError
 from footfall.skeleton import Skeleton
 from footfall.sync.refusal import Refusal
@@ -29,7 +30,7 @@ from footfall.sync.tables import Planner, Rules, rules_of
 __all__ = ["Crowd"]
 
 
-class Crowd(Steering):
+class Crowd(Reaching):
     """Characters that share a motion library and a body. One character is a crowd of one.
 
     Same commands, same bits: nothing here reads a clock or rolls dice.
@@ -46,6 +47,7 @@ class Crowd(Steering):
         lookahead: int = 5,
         synchronized: bool = True,
         footprints: bool = True,
+        flight: Flight = "played",
     ) -> None:
         """Place characters at the origin, facing +z, doing nothing.
 
@@ -59,13 +61,18 @@ class Crowd(Steering):
             synchronized: Whether supports are synchronized at all; if not, motions are
                 cross-faded as they are, joint by joint.
             footprints: Whether planted feet are held where they came down.
+            flight: What happens while nothing carries: motions are "played" as they are; weights
+                are "frozen" as they were at take-off; or the body is "ballistic" too, it falls
+                freely however long the flight is made (S-27).
 
         Raises:
-            ArgumentError: If a number is out of range.
+            ArgumentError: If a number is out of range, or the flight is unknown.
             SkeletonError: If the skeleton has other joints than the library's.
         """
         if size < 1:
             raise ArgumentError(f"a crowd of {size}; it needs at least 1 character")
+        if flight not in FLIGHTS:
+            raise ArgumentError(f"no flight {flight!r}; there are {', '.join(FLIGHTS)}")
         if lookahead < 1:
             raise ArgumentError(f"a look-ahead of {lookahead} slots; it must be at least 1")
         if skeleton is not None and not skeleton.same_family(library.skeleton):
@@ -86,6 +93,7 @@ class Crowd(Steering):
         self._characters = new_characters(size, lookahead)
         self._characters["synchronized"] = synchronized
         self._characters["printed"] = footprints and synchronized
+        self._characters["flight"] = FLIGHTS[flight]
         self.ground = Plane() if ground is None else ground
         self._world_positions = np.zeros((size, self.skeleton.count, 3))
         self._world_rotations = np.zeros((size, self.skeleton.count, 4))
@@ -191,6 +199,7 @@ class Crowd(Steering):
             self._world_positions,
             float(dt),
         )
+        self._move_hands(self._world_rotations, self._world_positions, dt)
 
     @property
     def shelf(self) -> Shelf:

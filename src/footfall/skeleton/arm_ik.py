@@ -16,7 +16,7 @@ from footfall.skeleton.anatomy import Anatomy, Arm
 from footfall.skeleton.skeleton import Skeleton
 from footfall.skeleton.two_bone_ik import Vector, reach_point, turn_about
 
-__all__ = ["ArmRig", "arm_rig_of", "reach_wrist"]
+__all__ = ["BEND", "ArmRig", "arm_rig_of", "reach_wrist"]
 
 UPPER, LOWER, HAND = 1, 2, 3
 """Values of `ArmRig.segments`."""
@@ -68,6 +68,7 @@ def reach_wrist(
     weight: float,
     rotations: Rotations,
     positions: Positions,
+    bend: Vector = BEND,
 ) -> float:
     """Turn one arm so that its wrist goes towards a target.
 
@@ -80,6 +81,8 @@ def reach_wrist(
         weight: How much of the way it goes, 0 to 1.
         rotations: All joints, shape (joints, 4); the arm's are rewritten.
         positions: All joints [m], shape (joints, 3); likewise.
+        bend: Where the elbow of a straight arm goes, in the frame of the positions; where that
+            does not face +z, another one than by default.
 
     Returns:
         How far the wrist then is from where the weight would have it [m].
@@ -95,7 +98,7 @@ def reach_wrist(
     )
     start = (positions[shoulder, 0], positions[shoulder, 1], positions[shoulder, 2])
     middle = (positions[elbow, 0], positions[elbow, 1], positions[elbow, 2])
-    upper, lower, bent, end = reach_point(start, middle, old, goal, BEND)
+    upper, lower, bent, end = reach_point(start, middle, old, goal, bend)
     for joint in range(shoulder, arms.sides.shape[0]):
         if arms.sides[joint] != side:
             continue
