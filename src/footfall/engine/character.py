@@ -6,15 +6,13 @@ import math
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-import numpy.typing as npt
-
 from footfall.adaptation import AnyGround
 from footfall.engine.answers import Impossible, Started, Waiting
 from footfall.engine.crowd import Crowd
 from footfall.engine.flight import Flight
+from footfall.engine.handed import Handed
 from footfall.engine.inspection import ActionState, action_states, present_schedule
 from footfall.engine.library import MotionLibrary
-from footfall.engine.reaching import HandState, Side
 from footfall.engine.refusals import Late
 from footfall.engine.showing import show_character
 from footfall.engine.state import EMPTY, WAITING, Frame
@@ -28,7 +26,7 @@ from footfall.sync.tables import Planner
 __all__ = ["Character"]
 
 
-class Character:
+class Character(Handed):
     """A body that performs actions which start and stop at any moment."""
 
     def __init__(
@@ -176,25 +174,6 @@ class Character:
     def set_priority(self, name: str, priority: float | Mapping[str, float]) -> None:
         """Change the priority of a running or waiting action; errors as of `Crowd`."""
         self.crowd.set_priority(self.library.index(name), priority)
-
-    def reach(
-        self,
-        hand: Side,
-        point: npt.ArrayLike,
-        *,
-        grasp: bool = False,
-        fade: float = 0.4,
-    ) -> None:
-        """Let a hand go for a point in the world [m]; arguments and errors as of `Crowd.reach`."""
-        self.crowd.reach(hand, point, grasp=grasp, fade=fade)
-
-    def release(self, hand: Side) -> None:
-        """Let a hand go back to its own motion; errors as of `Crowd.release`."""
-        self.crowd.release(hand)
-
-    def hand(self, hand: Side) -> HandState:
-        """Return what a hand does now; errors as of `Crowd.hand`."""
-        return self.crowd.hand(hand)
 
     def place(self, x: float, z: float, heading: float = 0.0) -> None:
         """Put the character somewhere: x, z [m] and heading [rad], 0 facing +z."""

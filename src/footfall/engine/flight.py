@@ -1,4 +1,4 @@
-"""While nothing touches the ground: the body falls freely, whatever time the flight is given (S-27).
+"""While nothing touches the ground: the body falls freely, however long that is made (S-27).
 
 A flight that is stretched hangs in the air, and one that is mixed bends the parabola. With the
 option on, the pelvis leaves at the speed that takes it to where the motions land, when they land,
@@ -13,7 +13,7 @@ from typing import Literal
 from footfall.adaptation.footprints import spring
 from footfall.compilation import inner_kernel
 from footfall.engine.record import SEATS, Character
-from footfall.engine.shelf import Shelf, key_at, pelvis_height, phase_end
+from footfall.engine.shelf import Shelf, key_at, phase_end
 from footfall.engine.state import RUNNING
 from footfall.skeleton import BodyPart
 from footfall.skeleton.rig import Rig
@@ -69,11 +69,11 @@ def fly(shelf: Shelf, rig: Rig, me: Character, dt: float) -> None:
     else:
         me.aloft = False
         me.lift[0], me.lift[1] = spring(me.lift[0], me.lift[1], 0.0, LANDING, dt)
+    # The feet go with the body; once they carry, their footprints bring them to the ground.
     lift = me.lift[0] / leg
     me.effectors[0] += lift
-    if me.support == NO_SUPPORT:
-        me.effectors[2] += lift
-        me.effectors[5] += lift
+    me.effectors[2] += lift
+    me.effectors[5] += lift
 
 
 @inner_kernel
@@ -88,7 +88,7 @@ def _landing(shelf: Shelf, leg: float, me: Character) -> tuple[float, float]:
     ):
         last += 1
         left += me.durations[last]
-    height = me.weights[SEATS, LEGS] * pelvis_height(shelf, shelf.keys.shape[0] - 1, 0.0)
+    height = me.weights[SEATS, LEGS] * _pelvis_height(shelf, shelf.keys.shape[0] - 1, 0.0)
     for seat in range(SEATS):
         if me.status[seat] < RUNNING or me.weights[seat, LEGS] <= 0.0:
             continue
@@ -101,5 +101,14 @@ def _landing(shelf: Shelf, leg: float, me: Character) -> tuple[float, float]:
                     clip_time, phase_end(entry, shelf.phase_starts, me.phases[seat, last])
                 )
         frame, fraction, _ = key_at(entry, clip_time)
-        height += me.weights[seat, LEGS] * pelvis_height(shelf, frame, fraction)
+        height += me.weights[seat, LEGS] * _pelvis_height(shelf, frame, fraction)
     return left, leg * height
+
+
+@inner_kernel
+def _pelvis_height(shelf: Shelf, frame: int, fraction: float) -> float:
+    """Return how high the pelvis of a clip is over the ground, in leg lengths."""
+    column = 4 * shelf.joints + 8
+    after = frame + 1 if fraction > 0.0 else frame
+    one = shelf.keys[frame, column]
+    return one + fraction * (shelf.keys[after, column] - one)

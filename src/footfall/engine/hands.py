@@ -17,6 +17,7 @@ import numpy.typing as npt
 from footfall.adaptation.footprints import spring
 from footfall.arrays import Positions, Rotations
 from footfall.compilation import kernel
+from footfall.engine.hand_record import FREE, HOLDS, REACHES, Hand
 from footfall.engine.record import Character
 from footfall.geometry import quaternions
 from footfall.skeleton.anatomy import Anatomy
@@ -24,20 +25,7 @@ from footfall.skeleton.arm_ik import BEND, ArmRig, reach_wrist
 from footfall.skeleton.skeleton import Skeleton
 from footfall.skeleton.two_bone_ik import Vector
 
-__all__ = [
-    "CLOSE",
-    "FREE",
-    "HOLDS",
-    "REACHES",
-    "Hand",
-    "hand_type",
-    "move_hands",
-    "new_hands",
-    "palms_of",
-]
-
-FREE, REACHES, HOLDS = 0, 1, 2
-"""What `Hand.task` says: nothing, go for the point, carry the object."""
+__all__ = ["CLOSE", "Palms", "move_hands", "palms_of"]
 
 FOLLOWING = 12.0
 """Of the spring with which a hand follows a point that moves or is exchanged [1/s]."""
@@ -47,59 +35,6 @@ CLOSE = 0.01
 
 SOFT = (0.93, 0.995)
 """Extension of the arm beyond which a target is approached ever slower, and the greatest one."""
-
-
-class Hand:
-    """One hand of one character: a record of `hand_type`."""
-
-    task: int
-    """`FREE`, `REACHES` or `HOLDS`."""
-
-    closes: bool
-    """Whether it takes what it reaches."""
-
-    progress: float
-    """How far it has faded in, 0 to 1."""
-
-    fade: float
-    """How long that takes [s], > 0."""
-
-    point: Positions
-    """What it goes for, in the world [m], shape (3,)."""
-
-    aim: Positions
-    """Where it is on its way after that [m], shape (3,)."""
-
-    aim_velocity: Positions
-    """How fast that changes [m/s], shape (3,)."""
-
-    missing: float
-    """How far the palm stays from its aim because the arm is too short [m]."""
-
-    palm: Positions
-    """Where the palm is in the world [m], shape (3,)."""
-
-    grip: Positions
-    """The object in the frame of the hand, from the palm [m], shape (3,)."""
-
-    held: Positions
-    """Where the object is in the world: at its point until it is taken [m], shape (3,)."""
-
-
-_VECTORS = ("point", "aim", "aim_velocity", "palm", "grip", "held")
-
-hand_type = np.dtype(
-    [
-        ("task", np.int64),
-        ("closes", np.int8),
-        ("progress", np.float64),
-        ("fade", np.float64),
-        ("missing", np.float64),
-        *((name, np.float64, (3,)) for name in _VECTORS),
-    ],
-    align=True,
-)
-"""The memory layout of `Hand`."""
 
 
 class Palms(NamedTuple):
@@ -122,13 +57,6 @@ def palms_of(skeleton: Skeleton, anatomy: Anatomy, arms: ArmRig) -> Palms:
         if len(fingers):
             offsets[side] = 0.5 * skeleton.rest_offsets[fingers].mean(axis=0)
     return Palms(arms, offsets)
-
-
-def new_hands(rows: int) -> npt.NDArray[Any]:
-    """Return free hands, left and right, shape (rows, 2)."""
-    hands = np.zeros((rows, 2), dtype=hand_type)
-    hands["fade"] = 1.0
-    return hands
 
 
 @kernel

@@ -9,7 +9,8 @@ import numpy as np
 import numpy.typing as npt
 
 from footfall.arrays import Positions
-from footfall.engine.hands import CLOSE, FREE, HOLDS, REACHES, move_hands, new_hands, palms_of
+from footfall.engine.hand_record import FREE, HOLDS, REACHES, new_hands
+from footfall.engine.hands import CLOSE, move_hands, palms_of
 from footfall.engine.rows import Rows, check_rows
 from footfall.engine.steering import Steering
 from footfall.errors import ArgumentError, SkeletonError

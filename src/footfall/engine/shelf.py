@@ -19,7 +19,6 @@ __all__ = [
     "Shelf",
     "entry_type",
     "key_at",
-    "pelvis_height",
     "phase_end",
     "phase_start",
     "read_points",
@@ -230,15 +229,6 @@ def read_points(shelf: Shelf, frame: int, fraction: float, out: Positions) -> No
             for i in range(3):
                 one = keys[frame, place + i]
                 out[side, point, i] += one + fraction * (keys[after, place + i] - one)
-
-
-@inner_kernel
-def pelvis_height(shelf: Shelf, frame: int, fraction: float) -> float:
-    """Return how high the pelvis of a clip is over the ground, in leg lengths."""
-    column = 4 * shelf.joints + 8
-    after = frame + 1 if fraction > 0.0 else frame
-    one = shelf.keys[frame, column]
-    return one + fraction * (shelf.keys[after, column] - one)
 
 
 @inner_kernel
