@@ -11,7 +11,7 @@ import numpy.typing as npt
 from footfall.adaptation import AnyGround, Plane
 from footfall.arrays import Positions, Rotations, Supports
 from footfall.engine.commands import NO_SEAT, start_row, stop_row
-from footfall.engine.flight import FLIGHTS, Flight
+from footfall.engine.flight import Flight, flight_of
 from footfall.engine.library import MotionLibrary
 from footfall.engine.parameters import FINEST, Parameters
 from footfall.engine.pipeline import advance_rows
@@ -71,8 +71,6 @@ class Crowd(Reaching):
         """
         if size < 1:
             raise ArgumentError(f"a crowd of {size}; it needs at least 1 character")
-        if flight not in FLIGHTS:
-            raise ArgumentError(f"no flight {flight!r}; there are {', '.join(FLIGHTS)}")
         if lookahead < 1:
             raise ArgumentError(f"a look-ahead of {lookahead} slots; it must be at least 1")
         if skeleton is not None and not skeleton.same_family(library.skeleton):
@@ -93,7 +91,7 @@ class Crowd(Reaching):
         self._characters = new_characters(size, lookahead)
         self._characters["synchronized"] = synchronized
         self._characters["printed"] = footprints and synchronized
-        self._characters["flight"] = FLIGHTS[flight]
+        self._characters["flight"] = flight_of(flight)
         self.ground = Plane() if ground is None else ground
         self._world_positions = np.zeros((size, self.skeleton.count, 3))
         self._world_rotations = np.zeros((size, self.skeleton.count, 4))

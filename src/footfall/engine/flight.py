@@ -15,11 +15,12 @@ from footfall.compilation import inner_kernel
 from footfall.engine.record import SEATS, Character
 from footfall.engine.shelf import Shelf, key_at, phase_end
 from footfall.engine.state import RUNNING
+from footfall.errors import ArgumentError
 from footfall.skeleton import BodyPart
 from footfall.skeleton.rig import Rig
 from footfall.support import Support
 
-__all__ = ["BALLISTIC", "FLIGHTS", "FREE_FLIGHT", "FROZEN", "Flight", "fly"]
+__all__ = ["BALLISTIC", "FLIGHTS", "FREE_FLIGHT", "FROZEN", "Flight", "flight_of", "fly"]
 
 Flight = Literal["played", "frozen", "ballistic"]
 """What happens in a flight: motions are played as they are; weights stay what they were at
@@ -42,6 +43,17 @@ SHORTEST_FLIGHT = 0.03
 
 LANDING = 12.0
 """Of the spring that lets go what is left after a landing [1/s]."""
+
+
+def flight_of(name: str) -> int:
+    """Return the number of a flight.
+
+    Raises:
+        ArgumentError: If there is none of this name.
+    """
+    if name not in FLIGHTS:
+        raise ArgumentError(f"no flight {name!r}; there are {', '.join(FLIGHTS)}")
+    return FLIGHTS[name]
 
 
 @inner_kernel
