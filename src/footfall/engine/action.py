@@ -17,7 +17,7 @@ from footfall.motion import Clip
 from footfall.support import SupportSequence
 from footfall.sync.tables import check_registration
 
-__all__ = ["Action", "check_supports", "entries_of"]
+__all__ = ["LONGEST_DISAGREEMENT", "Action", "check_supports", "entries_of"]
 
 LONGEST_DISAGREEMENT = 0.02
 """How far a support sequence may be from lasting as long as its clip [s]."""

@@ -21,7 +21,7 @@ from footfall.skeleton.rig import Rig, rig_of
 from footfall.support import SupportSequence
 from footfall.sync.tables import Planner, SequenceTable
 
-__all__ = ["LONGEST_DISAGREEMENT", "Action", "MotionLibrary"]
+__all__ = ["Action", "MotionLibrary"]
 
 
 class MotionLibrary:

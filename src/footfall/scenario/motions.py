@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from footfall.detection import clean, detect_supports
-from footfall.engine.library import LONGEST_DISAGREEMENT
+from footfall.engine.action import LONGEST_DISAGREEMENT
 from footfall.errors import FileFormatError, FootfallError, ScenarioError
 from footfall.io import load, load_native_supports, load_supports, split_choice
 from footfall.io.amass import is_amass
