@@ -102,6 +102,9 @@ BAD_ACTIONS = {
         "motion"
     ),
     "motions = ['sample:run']\n": "action[0] has motion and motions; give one of them",
+    "[[action]]\nname = 'go'\nmotions = ['a.bvh']\n": (
+        "action[1].motions is one; a gait needs two or more"
+    ),
     "[[action]]\nname = 'go'\nmotions = []\n": (
         "action[1].motions is []; it must be a list, each a file beside the scenario or "
         '"sample:walk"'

@@ -152,6 +152,8 @@ def _action(fields: Fields) -> ActionEntry:
         raise ScenarioError(f"{fields.where} has motion and motions; give one of them")
     else:
         motion, *others = fields.texts("motions", WHERE)
+        if not others:
+            raise ScenarioError(f"{fields.label('motions')} is one; a gait needs two or more")
     return ActionEntry(
         name=name,
         motion=motion,

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 from footfall.adaptation import Plane
 from footfall.engine import Character, MotionLibrary
@@ -50,7 +51,7 @@ def prepare_character(
     )
     made = clips or [motion.clip for motion in motions]
     for entry, motion, clip in zip(scenario.actions, motions, made, strict=True):
-        add_action(character, entry, Motion(clip, motion.supports))
+        add_action(character, entry, replace(motion, clip=clip))
     _place(character, motions[leading])
     return character, ground
 
