@@ -92,6 +92,25 @@ def test_info_tells_what_was_concluded_and_why(tmp_path: Path, capsys: Captured)
     assert set(told["reasons"]) >= {"unit", "up", "root", "fps", "feet", "floor", "cyclic"}
 
 
+def test_info_tells_whether_hands_carry(tmp_path: Path, capsys: Captured) -> None:
+    path = tmp_path / "walk.bvh"
+    ff.save(ff.sample("walk")[0], path)
+    assert main(["info", str(path)]) == 0
+    assert "hands        never on the ground: the feet alone carry\n" in capsys.readouterr().out
+
+
+def test_detect_counts_the_hands_where_asked_to(capsys: Captured) -> None:
+    assert main(["detect", "sample:run", "--limbs", "--json"]) == 0
+    told = json.loads(capsys.readouterr().out)
+    assert {phase["support"] for phase in told["phases"]} == {"R", "-", "L"}
+    assert set(told["supports"].split(" ")) == {"R", "-", "L"}
+    assert main(["detect", "sample:run", "--limbs", "--height", "0.1"]) == 2
+    assert capsys.readouterr().err == (
+        "footfall: sample:run: --height and --speed are the limits of a foot; "
+        "--limbs has limits of its own\n"
+    )
+
+
 def test_detect_writes_supports_that_are_read_again(tmp_path: Path, capsys: Captured) -> None:
     path = tmp_path / "run.supports"
     assert main(["detect", "sample:run", "-o", str(path)]) == 0

@@ -27,6 +27,7 @@ Function = TypeVar("Function", bound=Callable[..., Any])
 
 LEAVES = frozenset(
     {
+        "actions",
         "baselines",
         "cli",
         "datasets",

@@ -7,7 +7,8 @@ from pathlib import Path
 import pytest
 
 from footfall.errors import FileFormatError, ScenarioError
-from footfall.scenario.cue_sheet import ActionEntry, Cue, Scenario, load_scenario, parse_scenario
+from footfall.scenario.cue_sheet import Scenario, load_scenario, parse_scenario
+from footfall.scenario.entries import ActionEntry, Cue
 from footfall.scenario.motions import resolve_motion, supports_path
 from footfall.support import Support
 
@@ -92,9 +93,21 @@ BAD_ACTIONS = {
     "crop = [2, 1]\n": (
         "action[0].crop is [2, 1]; it must be two times in seconds, such as [0.5, 1.8]"
     ),
+    "pace = 1\n": (
+        "no key named 'pace' in action[0]; there are: name, motion, motions, priority, fade_in, "
+        "fade_out, cyclic, supports, mirror, crop, clean, speed, turn"
+    ),
     "speed = 1\n": (
-        "no key named 'speed' in action[0]; there are: name, motion, priority, fade_in, "
-        "fade_out, cyclic, supports, mirror, crop, clean"
+        "action[0].speed needs motions: a list of gaits that go at different ones, instead of "
+        "motion"
+    ),
+    "motions = ['sample:run']\n": "action[0] has motion and motions; give one of them",
+    "[[action]]\nname = 'go'\nmotions = ['a.bvh']\n": (
+        "action[1].motions is one; a gait needs two or more"
+    ),
+    "[[action]]\nname = 'go'\nmotions = []\n": (
+        "action[1].motions is []; it must be a list, each a file beside the scenario or "
+        '"sample:walk"'
     ),
     "priority = { tail = 1 }\n": (
         "action[0].priority: no body part named 'tail'; there are: legs, trunk, head, arms, "
@@ -127,11 +140,16 @@ BAD_CUES = {
     "[[cue]]\nat = -0.1\nstart = 'walk'\n": "cue[0].at is -0.1; it must be a number, 0 to 10",
     "[[cue]]\nat = 1\nstart = 'run'\n": "cue[0].start is 'run'; there are: walk",
     "[[cue]]\nat = 1\npriority = { run = 1 }\n": "cue[0].priority names 'run'; there are: walk",
+    "[[cue]]\nat = 1\nspeed = { walk = 'fast' }\n": (
+        "cue[0].speed.walk is 'fast'; it must be a number, -20 to 20"
+    ),
+    "[[cue]]\nat = 1\nturn = { run = 1 }\n": "cue[0].turn names 'run'; there are: walk",
     "[[cue]]\nat = 1\n": (
-        "cue[0] has no command; it must have one of start, stop, priority and ground"
+        "cue[0] has no command; it must have one of start, stop, priority, speed, turn and ground"
     ),
     "[[cue]]\nat = 1\nstart = 'walk'\nstop = 'walk'\n": (
-        "cue[0] has start and stop; it must have one of start, stop, priority and ground"
+        "cue[0] has start and stop; it must have one of start, stop, "
+        "priority, speed, turn and ground"
     ),
 }
 

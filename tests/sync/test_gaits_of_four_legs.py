@@ -8,13 +8,12 @@ import pytest
 from tests.paper.requirements import requirement
 
 from footfall.errors import ArgumentError
+from footfall.samples import quadruped_supports
 from footfall.support import Support, SupportSequence
 from footfall.sync import Synchronizer
 
 # Left and right hind legs are L and R, left and right front legs l and r.
-WALK = "L+lr.12 L+r.1 D+r.12 D.06 D+l.12 R+l.1 R+lr.12 +lr.06*"
-TROT = "L+r.26 -.04 R+l.26 -.04*"
-GALLOP = "L.08 D.06 R+l.07 +lr.07 +r.06 -.14*"
+WALK, TROT, GALLOP = (str(quadruped_supports(name)) for name in ("walk", "trot", "gallop"))
 CRAWL = "D+lr.3 L+lr.25 D+lr.3 R+lr.25*"
 GAITS = {"walk": WALK, "trot": TROT, "gallop": GALLOP, "crawl": CRAWL}
 

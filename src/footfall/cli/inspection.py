@@ -6,10 +6,12 @@ import json as json_text
 from pathlib import Path
 from typing import Annotated, Any
 
+import numpy as np
 from cyclopts import Parameter
 
 from footfall.cli.inputs import Known, about, read_motion
-from footfall.detection import detect_supports, frame_symbols
+from footfall.detection import detect_limb_supports, detect_supports, hands_on_the_ground
+from footfall.errors import ArgumentError, FootfallError
 from footfall.io import (
     Conclusions,
     gltf_animations,
@@ -20,6 +22,8 @@ from footfall.io import (
 )
 from footfall.io.clip_choice import CHOOSING
 from footfall.motion import Clip
+from footfall.skeleton import find_anatomy
+from footfall.support import Support, SupportSequence
 
 __all__ = ["detect", "info"]
 
@@ -45,7 +49,7 @@ def info(file: str, /, *, json: bool = False, known: Known | None = None) -> Non
         print(json_text.dumps(_info_json(file, clip, conclusions, animations), indent=2))
         return
     print(f"{file}: {clip.frames} frames, {clip.duration:.3f} s, {clip.skeleton.count} joints")
-    sentences = conclusions.sentences()
+    sentences = (*conclusions.sentences(), ("hands", _hands_sentence(_hands(clip))))
     width = max(len(name) for name, _ in sentences)
     for name, reason in sentences:
         print(f"  {name:<{width}}  {reason}")
@@ -80,9 +84,28 @@ def _info_json(
         "feet": None
         if feet is None
         else {side: leg._asdict() for side, leg in zip(("left", "right"), feet, strict=True)},
+        "hands": _hands(clip),
         "animations": list(animations),
         "reasons": dict(conclusions.sentences()),
     }
+
+
+def _hands(clip: Clip) -> tuple[float, float] | None:
+    """Return the share of a clip in which each hand carries; None where there are no legs."""
+    try:
+        anatomy = find_anatomy(clip.skeleton)
+    except FootfallError:
+        return None
+    return hands_on_the_ground(clip, anatomy)
+
+
+def _hands_sentence(shares: tuple[float, float] | None) -> str:
+    if shares is None or max(shares) == 0.0:
+        return "never on the ground: the feet alone carry"
+    return (
+        f"on the ground for {100.0 * shares[0]:.0f} % of the time (left) and "
+        f"{100.0 * shares[1]:.0f} % (right): footfall detect --limbs counts them too"
+    )
 
 
 def detect(
@@ -92,6 +115,7 @@ def detect(
     output: Annotated[Path | None, Parameter(name=("-o", "--output"))] = None,
     height: float | None = None,
     speed: float | None = None,
+    limbs: bool = False,
     json: bool = False,
     known: Known | None = None,
 ) -> None:
@@ -107,12 +131,15 @@ def detect(
         The paper's greatest height of the lowest point of a foot that carries [m].
     speed
         The paper's greatest speed of that point [m/s].
+    limbs
+        Let hands carry too, and knees, elbows and the trunk: D+lr is a body on all fours, +ps
+        one that lies. info says whether a motion puts its hands down.
     json
         Print JSON.
     """
     clip, _ = read_motion(file, known)
     with about(file):
-        supports = detect_supports(clip, height=height, speed=speed)
+        supports = _detected(clip, height, speed, limbs)
     if output is not None:
         save_supports(supports, output)
     if json:
@@ -125,10 +152,28 @@ def detect(
             ],
             "fps": clip.fps,
             "frames": clip.frames,
-            "supports": frame_symbols(supports, clip.fps, clip.frames),
+            "supports": _frame_symbols(supports, clip, " " if limbs else ""),
         }
         print(json_text.dumps(answer, indent=2))
     elif output is None:
         print(supports_text(supports), end="")
     else:
         print(f"{output}: {supports}")
+
+
+def _detected(
+    clip: Clip, height: float | None, speed: float | None, limbs: bool
+) -> SupportSequence:
+    if not limbs:
+        return detect_supports(clip, height=height, speed=speed)
+    if height is not None or speed is not None:
+        raise ArgumentError(
+            "--height and --speed are the limits of a foot; --limbs has limits of its own"
+        )
+    return detect_limb_supports(clip)
+
+
+def _frame_symbols(supports: SupportSequence, clip: Clip, between: str) -> str:
+    """Return the support at each frame, with something between two of them."""
+    times = np.arange(clip.frames) / clip.fps
+    return between.join(Support(one).symbol for one in supports.supports_at(times).tolist())

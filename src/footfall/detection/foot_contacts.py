@@ -8,7 +8,7 @@ from itertools import pairwise
 import numpy as np
 
 from footfall.arrays import Floats, Positions
-from footfall.detection.intervals import Interval, runs
+from footfall.detection.intervals import Interval, runs, united
 from footfall.detection.tracks import LOW_PASS_DEVIATION, FootTracks
 
 __all__ = ["foot_contacts"]
@@ -54,11 +54,11 @@ def foot_contacts(
     heights = np.tile(heights, (turns, 1))
     velocities = np.tile(velocities, (turns, 1, 1))
     found: list[Interval] = []
-    for point in range(2):
+    for point in range(heights.shape[1]):
         reach = (float(limits[0][point]), float(limits[1][point]))
         found += _point_contacts(heights[:, point], velocities[:, point], reach, rate)
     speeds = np.linalg.norm(velocities, axis=-1).min(axis=1)
-    contacts = [part for whole in _united(found) for part in _undragged(whole, speeds, rate)]
+    contacts = [part for whole in united(found) for part in _undragged(whole, speeds, rate)]
     if not tracks.cyclic:
         return [_within(contact, tracks.duration) for contact in contacts]
     if any(contact.duration >= 2.0 * tracks.duration for contact in contacts):
@@ -76,18 +76,6 @@ def _within(contact: Interval, duration: float) -> Interval:
         1.0 if starts else contact.start_confidence,
         1.0 if ends else contact.end_confidence,
     )
-
-
-def _united(contacts: list[Interval]) -> list[Interval]:
-    """Return the contacts of either point as those of the foot."""
-    united: list[Interval] = []
-    for contact in sorted(contacts, key=lambda c: c.start):
-        if united and contact.start <= united[-1].end:
-            if contact.end > united[-1].end:
-                united[-1] = united[-1].joined(contact)
-        else:
-            united.append(contact)
-    return united
 
 
 def _point_contacts(

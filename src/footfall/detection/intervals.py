@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 import numpy as np
 
 from footfall.arrays import Flags, Floats
 
-__all__ = ["Interval", "covers", "runs", "without_short_ones"]
+__all__ = ["Interval", "covers", "runs", "united", "without_short_ones"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,6 +47,18 @@ def runs(flags: Flags) -> list[tuple[int, int]]:
     """Return first sample, and the one after the last, of each run of set flags, in order."""
     edges = np.flatnonzero(np.diff(np.concatenate([[False], flags, [False]]).astype(np.int8)))
     return [(int(first), int(end)) for first, end in edges.reshape(-1, 2)]
+
+
+def united(intervals: Iterable[Interval]) -> list[Interval]:
+    """Return when any of some intervals holds: in order, those that overlap as one."""
+    joined: list[Interval] = []
+    for interval in sorted(intervals, key=lambda one: one.start):
+        if joined and interval.start <= joined[-1].end:
+            if interval.end > joined[-1].end:
+                joined[-1] = joined[-1].joined(interval)
+        else:
+            joined.append(interval)
+    return joined
 
 
 def without_short_ones(

@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from footfall.detection.contacts import MINIMUM_DURATION, Contacts, detect_contacts
-from footfall.detection.intervals import covers
+from footfall.detection.intervals import Interval, covers
 from footfall.errors import ArgumentError
 from footfall.motion import Clip
 from footfall.skeleton import Anatomy
 from footfall.support import Support, SupportPhase, SupportSequence
 
-__all__ = ["contact_supports", "detect_supports", "frame_symbols"]
+__all__ = ["contact_supports", "detect_supports", "frame_symbols", "interval_supports"]
 
 _HANDOVER = 0.07
 """How long a double support is made that would be too short [s]: 5 % of a slow stride."""
@@ -59,15 +61,33 @@ def contact_supports(
     Raises:
         ArgumentError: If the clip lasts no time.
     """
-    duration, cyclic = contacts.duration, contacts.cyclic
+    return interval_supports(
+        contacts.intervals, contacts.duration, cyclic=contacts.cyclic, min_duration=min_duration
+    )
+
+
+def interval_supports(
+    limbs: Sequence[tuple[Interval, ...]], duration: float, *, cyclic: bool, min_duration: float
+) -> SupportSequence:
+    """Combine the contacts of any limbs, in the order of `footfall.support.LIMBS`.
+
+    Args:
+        limbs: When each is in contact, in order.
+        duration: Of the clip [s].
+        cyclic: Whether the clip is.
+        min_duration: As in `contact_supports`.
+
+    Raises:
+        ArgumentError: If the clip lasts no time.
+    """
     if duration <= 0.0:
         raise ArgumentError("a clip of a single frame has no phases; at least two are needed")
-    bounds = _boundaries(contacts)
+    bounds = _boundaries(limbs, duration, cyclic=cyclic)
     middles = 0.5 * (bounds[:-1] + bounds[1:])
-    left, right = (covers(i, middles, duration, cyclic=cyclic) for i in contacts.intervals)
+    carrying = np.stack([covers(one, middles, duration, cyclic=cyclic) for one in limbs], axis=-1)
     phases = [
-        (Support.from_feet(bool(on_left), bool(on_right)), float(start), float(end))
-        for on_left, on_right, start, end in zip(left, right, bounds[:-1], bounds[1:], strict=True)
+        (Support.from_limbs(np.flatnonzero(row).tolist()), float(start), float(end))
+        for row, start, end in zip(carrying, bounds[:-1], bounds[1:], strict=True)
     ]
     phases = _resolved(_merged(phases, cyclic=cyclic), min_duration, cyclic=cyclic)
     if len(phases) == 1:
@@ -79,19 +99,21 @@ def contact_supports(
     )
 
 
-def _boundaries(contacts: Contacts) -> np.ndarray[tuple[int], np.dtype[np.float64]]:
+def _boundaries(
+    limbs: Sequence[tuple[Interval, ...]], duration: float, *, cyclic: bool
+) -> np.ndarray[tuple[int], np.dtype[np.float64]]:
     """Return all times at which a contact begins or ends, with both ends of the clip."""
     times = [
-        time % contacts.duration if contacts.cyclic else time
-        for foot in contacts.intervals
-        for interval in foot
+        time % duration if cyclic else time
+        for limb in limbs
+        for interval in limb
         for time in (interval.start, interval.end)
     ]
-    times += [0.0, contacts.duration]
-    ordered = np.unique(np.clip(times, 0.0, contacts.duration))
+    times += [0.0, duration]
+    ordered = np.unique(np.clip(times, 0.0, duration))
     apart = np.concatenate([[True], np.diff(ordered) > 1e-9])
     kept = ordered[apart]
-    kept[-1] = contacts.duration
+    kept[-1] = duration
     return kept
 
 

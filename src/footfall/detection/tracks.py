@@ -15,7 +15,14 @@ from footfall.arrays import Floats, Positions, Rotations
 from footfall.motion import Clip, cycle_displacement, with_soles
 from footfall.skeleton import Anatomy, leg_length
 
-__all__ = ["LOW_PASS_DEVIATION", "FootTracks", "PlanarStep", "foot_tracks", "points_of_pose"]
+__all__ = [
+    "LOW_PASS_DEVIATION",
+    "FootTracks",
+    "PlanarStep",
+    "foot_tracks",
+    "points_of_pose",
+    "smooth_tracks",
+]
 
 _TRACK_RATE = 100.0
 """Tracks have the first multiple of the clip's rate that is not below this [Hz]."""
@@ -122,12 +129,7 @@ def foot_tracks(clip: Clip, anatomy: Anatomy) -> FootTracks:
     """Return the tracks of a clip's feet, relative to the surface they tread on."""
     poses = clip.world_poses()
     points = points_of_pose(*poses, with_soles(anatomy, *poses))
-    step = PlanarStep.of(clip) if clip.cyclic else PlanarStep()
-    dense, rate = _resampled(points, step, clip)
-    smooth = _low_passed(dense, step, rate, cyclic=clip.cyclic)
-    velocities = _velocities(smooth, step, rate, cyclic=clip.cyclic)
-    if clip.cyclic:
-        smooth, velocities = smooth[:-1], velocities[:-1]
+    smooth, velocities, rate = smooth_tracks(points, clip)
     length = _leg_length(clip, anatomy)
     travel = (clip.pelvis_positions[-1] - clip.pelvis_positions[0]) / max(clip.duration, 1e-9)
     belt = _belt_velocity(smooth, velocities, math.hypot(travel[0], travel[2]), length)
@@ -142,6 +144,26 @@ def foot_tracks(clip: Clip, anatomy: Anatomy) -> FootTracks:
         leg_length=length,
         belt_velocity=belt,
     )
+
+
+def smooth_tracks(points: Positions, clip: Clip) -> tuple[Positions, Positions, float]:
+    """Return the tracks of some points of a clip, low-passed at a higher rate.
+
+    Args:
+        points: Where they are in the world, frame by frame [m], shape (frames, ..., 3).
+        clip: Whose points.
+
+    Returns:
+        Positions [m] and velocities [m/s], shape (samples, ..., 3), and the samples per second;
+        of a cyclic clip one whole cycle, as in `FootTracks`.
+    """
+    step = PlanarStep.of(clip) if clip.cyclic else PlanarStep()
+    dense, rate = _resampled(points, step, clip)
+    smooth = _low_passed(dense, step, rate, cyclic=clip.cyclic)
+    velocities = _velocities(smooth, step, rate, cyclic=clip.cyclic)
+    if clip.cyclic:
+        smooth, velocities = smooth[:-1], velocities[:-1]
+    return smooth, velocities, rate
 
 
 def _leg_length(clip: Clip, anatomy: Anatomy) -> float:

@@ -1,8 +1,10 @@
 """The stages in order; read `footfall.engine.pipeline` first."""
 
-from footfall.engine.character import Character, Impossible, Started, Waiting
+from footfall.engine.action import Action
+from footfall.engine.answers import Impossible, Started, Waiting
+from footfall.engine.character import Character
 from footfall.engine.crowd import Crowd
-from footfall.engine.library import Action, MotionLibrary
+from footfall.engine.library import MotionLibrary
 from footfall.engine.recording import Recorder, Recording
 from footfall.engine.state import Frame
 

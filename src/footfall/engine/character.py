@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from footfall.adaptation import AnyGround
+from footfall.engine.answers import Impossible, Started, Waiting
 from footfall.engine.crowd import Crowd
+from footfall.engine.flight import Flight
+from footfall.engine.handed import Handed
 from footfall.engine.inspection import ActionState, action_states, present_schedule
 from footfall.engine.library import MotionLibrary
 from footfall.engine.refusals import Late
@@ -21,39 +23,10 @@ from footfall.support import Support, SupportSequence
 from footfall.sync.schedule import Schedule
 from footfall.sync.tables import Planner
 
-__all__ = ["Character", "Impossible", "Started", "Waiting"]
+__all__ = ["Character"]
 
 
-@dataclass(frozen=True, slots=True)
-class Started:
-    """The action runs."""
-
-    at: float
-    """Clock time of the start [s]."""
-
-
-@dataclass(frozen=True, slots=True)
-class Waiting:
-    """The action cannot be synchronized now; it starts by itself as soon as it can."""
-
-    reason: str
-    """What it waits for and why, such as ``waits for 'walk' R→D, 0.31 s: L of 'hop' conflicts
-    with R of 'walk'``."""
-
-    until: float | None
-    """Clock time at which it will start if no other command comes [s]; None if that is too far
-    to be foreseen."""
-
-
-@dataclass(frozen=True, slots=True)
-class Impossible(Waiting):
-    """The action can never start beside those that run: every joint state has been tried.
-
-    It waits for one of them to leave.
-    """
-
-
-class Character:
+class Character(Handed):
     """A body that performs actions which start and stop at any moment."""
 
     def __init__(
@@ -65,6 +38,7 @@ class Character:
         lookahead: int = 5,
         synchronized: bool = True,
         footprints: bool = True,
+        flight: Flight = "played",
         neutral: Clip | None = None,
     ) -> None:
         """Prepare a character at the origin, facing +z; it can perform once it has an action.
@@ -76,6 +50,7 @@ class Character:
             lookahead: How many slots ahead phases are synchronized, >= 1.
             synchronized: Whether supports are synchronized at all.
             footprints: Whether planted feet are held where they came down.
+            flight: "played", "frozen" or "ballistic", as of `Crowd`.
             neutral: Its first frame is how the character stands that does nothing.
         """
         self.skeleton = skeleton
@@ -86,6 +61,7 @@ class Character:
             "lookahead": lookahead,
             "synchronized": synchronized,
             "footprints": footprints,
+            "flight": flight,
         }
         self._crowd: Crowd | None = None
 
@@ -116,6 +92,46 @@ class Character:
         self.library.add(
             name, clip, supports, priority=priority, fade_in=fade_in, fade_out=fade_out
         )
+
+    def add_locomotion(
+        self,
+        name: str,
+        clips: Sequence[tuple[Clip, SupportSequence]],
+        *,
+        speed: float | None = None,
+        turn: float | None = None,
+        priority: float | Mapping[str, float] = 1.0,
+        fade_in: float = 0.3,
+        fade_out: float = 0.3,
+    ) -> None:
+        """Add a gait that follows a speed and a turn; as `MotionLibrary.add_locomotion`."""
+        self.library.add_locomotion(
+            name,
+            clips,
+            speed=speed,
+            turn=turn,
+            priority=priority,
+            fade_in=fade_in,
+            fade_out=fade_out,
+        )
+
+    def set_parameters(
+        self, name: str, *, speed: float | None = None, turn: float | None = None
+    ) -> None:
+        """Ask a locomotion for another speed [m/s] or turn [rad/s]; errors as of `Crowd`.
+
+        Raises:
+            UnknownNameError: If there is no action of this name.
+        """
+        self.crowd.set_parameters(self.library.index(name), speed=speed, turn=turn)
+
+    def parameters_of(self, name: str) -> tuple[float, float]:
+        """Return the speed [m/s] and the turn [rad/s] that a locomotion has by now.
+
+        Raises:
+            UnknownNameError: If there is no action of this name.
+        """
+        return self.crowd.parameters_of(self.library.index(name))
 
     def start(
         self, name: str, *, patience: float = math.inf, late: Late = "give up"

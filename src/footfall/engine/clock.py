@@ -25,7 +25,6 @@ from footfall.timing import advance_progress, warp
 __all__ = ["pass_time"]
 
 LEGS = int(BodyPart.LEGS)
-LEFT, RIGHT = int(Support.LEFT), int(Support.RIGHT)
 DOUBLE, FLIGHT = int(Support.DOUBLE), int(Support.FLIGHT)
 
 FADE_EASE = 0.1
@@ -147,7 +146,7 @@ def _run_fades(me: Character, step: float) -> None:
         if me.status[seat] < RUNNING:
             continue
         asked = me.fade_asked[seat]
-        change = step / MUTING
+        change = 0.0 if me.flight != 0 and me.results[0] == FLIGHT else step / MUTING
         me.presence[seat] = (
             max(me.presence[seat] - change, 0.0)
             if me.muted[seat]
@@ -175,7 +174,10 @@ def _fade_pace(me: Character, step: float) -> float:
     if not me.synchronized:
         return 1.0
     support = me.results[0]
-    moves = support in (LEFT, RIGHT) or (support == FLIGHT and me.results[1] == DOUBLE)
+    # Hands may carry too: what counts is that no two feet stand apart.
+    moves = support > 1 and (support & DOUBLE) != DOUBLE
+    if support == FLIGHT and me.results[1] == DOUBLE:
+        moves = me.flight == 0
     if support != me.support or not moves:
         me.alone_time = 0.0
     if not moves:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -12,15 +11,16 @@ import numpy.typing as npt
 from footfall.adaptation import AnyGround, Plane
 from footfall.arrays import Positions, Rotations, Supports
 from footfall.engine.commands import NO_SEAT, start_row, stop_row
+from footfall.engine.flight import Flight, flight_of
 from footfall.engine.library import MotionLibrary
+from footfall.engine.parameters import FINEST, Parameters
 from footfall.engine.pipeline import advance_rows
-from footfall.engine.priorities import parse_priority
+from footfall.engine.reaching import Reaching
 from footfall.engine.record import SEATS
 from footfall.engine.refusals import LATE, Late, check_patience, explain_wait
 from footfall.engine.rows import Rows, check_rows
 from footfall.engine.shelf import Shelf
-from footfall.engine.standing import Standing
-from footfall.engine.state import EMPTY, new_characters, new_workspace
+from footfall.engine.state import new_characters, new_workspace
 from footfall.errors import ArgumentError, SkeletonError
 from footfall.skeleton import Skeleton
 from footfall.sync.refusal import Refusal
@@ -30,7 +30,7 @@ from footfall.sync.tables import Planner, Rules, rules_of
 __all__ = ["Crowd"]
 
 
-class Crowd(Standing):
+class Crowd(Reaching):
     """Characters that share a motion library and a body. One character is a crowd of one.
 
     Same commands, same bits: nothing here reads a clock or rolls dice.
@@ -47,6 +47,7 @@ class Crowd(Standing):
         lookahead: int = 5,
         synchronized: bool = True,
         footprints: bool = True,
+        flight: Flight = "played",
     ) -> None:
         """Place characters at the origin, facing +z, doing nothing.
 
@@ -60,9 +61,12 @@ class Crowd(Standing):
             synchronized: Whether supports are synchronized at all; if not, motions are
                 cross-faded as they are, joint by joint.
             footprints: Whether planted feet are held where they came down.
+            flight: What happens while nothing carries: motions are "played" as they are; weights
+                are "frozen" as they were at take-off; or the body is "ballistic" too, it falls
+                freely however long the flight is made (S-27).
 
         Raises:
-            ArgumentError: If a number is out of range.
+            ArgumentError: If a number is out of range, or the flight is unknown.
             SkeletonError: If the skeleton has other joints than the library's.
         """
         if size < 1:
@@ -82,10 +86,12 @@ class Crowd(Standing):
         self._rig = library.rig(self.skeleton)
         self._shelf = library.shelf(planner)
         self._known = len(library.actions)
+        self._parameters = Parameters()
         self._work = new_workspace(self.skeleton.count)
         self._characters = new_characters(size, lookahead)
         self._characters["synchronized"] = synchronized
         self._characters["printed"] = footprints and synchronized
+        self._characters["flight"] = flight_of(flight)
         self.ground = Plane() if ground is None else ground
         self._world_positions = np.zeros((size, self.skeleton.count, 3))
         self._world_rotations = np.zeros((size, self.skeleton.count, 4))
@@ -94,14 +100,7 @@ class Crowd(Standing):
         if len(self.library.actions) != self._known:
             self._shelf = self.library.shelf(self._planner)
             self._known = len(self.library.actions)
-
-    def _check_action(self, action: int) -> int:
-        if not 0 <= action < len(self.library.actions):
-            raise ArgumentError(
-                f"action {action}; the library has 0..{len(self.library.actions) - 1}"
-            )
-        self._refresh()
-        return action
+            self._parameters.write(self._shelf, self._characters, self.library.actions)
 
     def start(
         self,
@@ -165,30 +164,6 @@ class Crowd(Standing):
         for row in check_rows(rows, self.size):
             stop_row(self._shelf, self._characters, int(row), action)
 
-    def set_priority(
-        self, action: int, priority: float | Mapping[str, float], rows: Rows = None
-    ) -> None:
-        """Change the priority of a running or waiting action.
-
-        Args:
-            action: Its id in the library.
-            priority: As in `MotionLibrary.add`.
-            rows: Which characters: row numbers, a mask, or None for all.
-
-        Raises:
-            ArgumentError: If the action or a row does not exist, or a number is out of range.
-            UnknownNameError: If a body part is unknown.
-        """
-        action = self._check_action(action)
-        values = parse_priority(priority)
-        for row in check_rows(rows, self.size):
-            seats = (self._characters["action"][row] == action) & (
-                self._characters["status"][row] != EMPTY
-            )
-            self._characters["priorities"][row, seats] = values
-            self._characters["priority"][row, seats] = values[0]
-            self._characters["unsettled"][row] = True
-
     def advance(self, dt: float) -> None:
         """Let time pass for everybody.
 
@@ -201,6 +176,16 @@ class Crowd(Standing):
         if not (0.0 <= dt < float("inf")):
             raise ArgumentError(f"dt is {dt} s; it must be finite and >= 0")
         self._refresh()
+        while self._parameters.moving and dt > 0.0:
+            step = min(dt, FINEST)
+            self._parameters.advance(self._shelf, self._characters, self.library.actions, step)
+            self._advance(step)
+            dt -= step
+            if dt <= 0.0:
+                return
+        self._advance(dt)
+
+    def _advance(self, dt: float) -> None:
         advance_rows(
             self._shelf,
             self._packed_ground,
@@ -212,6 +197,7 @@ class Crowd(Standing):
             self._world_positions,
             float(dt),
         )
+        self._move_hands(self._world_rotations, self._world_positions, dt)
 
     @property
     def shelf(self) -> Shelf:

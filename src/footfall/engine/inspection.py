@@ -149,7 +149,7 @@ def _state(crowd: Crowd, row: int, action: int) -> ActionState:
 
 def _support(crowd: Crowd, action: int, phase: int) -> Support | None:
     """Return the support of an absolute phase index; None where the action has ended."""
-    supports = crowd.library.actions[action].supports
+    supports = crowd.supports_of(action)
     if phase < 0 or (not supports.cyclic and phase >= len(supports.phases)):
         return None
     return supports.at(phase).support
@@ -163,7 +163,7 @@ def _natural_duration(crowd: Crowd, me: Any, seats: list[int], column: int) -> f
         if _support(crowd, action, phase) is None:
             continue
         columns = int((me["phases"][seat, :-1] == phase).sum())
-        own = crowd.library.actions[action].supports.at(phase).duration / columns
+        own = crowd.supports_of(action).at(phase).duration / columns
         weight = max(float(me["weights"][seat, BodyPart.LEGS]), 1e-6)
         total, shared = total + weight * own, shared + weight
     return total / shared if shared > 0.0 else 0.1

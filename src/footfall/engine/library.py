@@ -3,55 +3,25 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
-from dataclasses import dataclass
-from typing import Any
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 
+from footfall.actions import GaitCycle, Locomotion
 from footfall.arrays import Floats, SmallFloats
-from footfall.compilation import records
+from footfall.engine.action import Action, check_supports, entries_of
 from footfall.engine.packing import PackedClip, pack_clip, pack_standing
 from footfall.engine.priorities import parse_priority
-from footfall.engine.shelf import Shelf, entry_type
-from footfall.errors import ArgumentError, ClipError, SkeletonError, UnknownNameError
+from footfall.engine.shelf import Shelf
+from footfall.errors import ArgumentError, SkeletonError, UnknownNameError
 from footfall.motion import Clip, with_soles
 from footfall.motion.retargeting import map_clip, retarget
 from footfall.skeleton import Anatomy, Skeleton, find_anatomy
 from footfall.skeleton.rig import Rig, rig_of
 from footfall.support import SupportSequence
-from footfall.sync.tables import Planner, SequenceTable, check_registration
+from footfall.sync.tables import Planner, SequenceTable
 
-__all__ = ["LONGEST_DISAGREEMENT", "Action", "MotionLibrary"]
-
-LONGEST_DISAGREEMENT = 0.02
-"""How far a support sequence may be from lasting as long as its clip [s]."""
-
-
-@dataclass(frozen=True, eq=False)
-class Action:
-    """A motion that can be started and stopped."""
-
-    name: str
-    """What commands call it."""
-
-    clip: Clip
-    """The motion."""
-
-    supports: SupportSequence
-    """What carries the body when."""
-
-    priority: Floats
-    """Priority on each body part, >= 0, shape (parts,)."""
-
-    fade_in: float
-    """How long a start takes to become complete [s]."""
-
-    fade_out: float
-    """How long a stop takes to become complete [s]."""
-
-    packed: PackedClip
-    """The clip, normalized."""
+__all__ = ["Action", "MotionLibrary"]
 
 
 class MotionLibrary:
@@ -143,23 +113,89 @@ class MotionLibrary:
             ClipError: If the supports do not fit the clip.
             SupportSequenceError: If the supports can never be synchronized with others.
         """
+        self._check_new(name, fade_in, fade_out)
+        values = parse_priority(priority)
+        clip, packed = self._packed(repr(name), clip, supports)
+        self._actions.append(Action(name, clip, supports, values, fade_in, fade_out, packed))
+        return len(self._actions) - 1
+
+    def add_locomotion(
+        self,
+        name: str,
+        clips: Sequence[tuple[Clip, SupportSequence]],
+        *,
+        speed: float | None = None,
+        turn: float | None = None,
+        priority: float | Mapping[str, float] = 1.0,
+        fade_in: float = 0.3,
+        fade_out: float = 0.3,
+    ) -> int:
+        """Add a gait that follows a speed and a turn, and return its id.
+
+        Args:
+            name: What commands will call it; new to this library.
+            clips: Cyclic motions and what they stand on, which step on the same feet in the same
+                order, at different speeds or turns: walks and runs, straight on and in curves.
+            speed: Forward, with which it begins [m/s]; by default the first clip's.
+            turn: To the left, likewise [rad/s].
+            priority: Of the whole body or by body part, as in `parse_priority`.
+            fade_in: How long a start takes to become complete [s], >= 0.
+            fade_out: How long a stop takes to become complete [s], >= 0.
+
+        Raises:
+            ArgumentError: As of `add`; also if clips step differently, or are alike, or do not
+                reach the speed or the turn.
+            SkeletonError: As of `add`.
+            ClipError: As of `add`.
+            SupportSequenceError: As of `add`.
+        """
+        self._check_new(name, fade_in, fade_out)
+        values = parse_priority(priority)
+        if not clips:
+            raise ArgumentError(f"{name!r} has no clip; a locomotion needs at least one")
+        packs: list[tuple[Clip, PackedClip]] = []
+        cycles: list[GaitCycle] = []
+        for index, (clip, supports) in enumerate(clips):
+            label = f"clip {index} of {name!r}"
+            packs.append(self._packed(label, clip, supports))
+            packed, fps = packs[-1][1], packs[-1][0].fps
+            cycles.append(GaitCycle.of(label, packed.keys, packed.roots, fps, supports))
+        rig = self.rig()
+        gaits = Locomotion(cycles, rig.leg_sides, rig.leg_length)
+        begin = gaits.checked(speed, turn)
+        mix = gaits.mix(*begin)
+        resting = np.einsum("c,cfp->fp", mix.shares, [p.resting_heights for _, p in packs])
+        packed = packs[0][1]._replace(keys=mix.keys, roots=mix.roots, resting_heights=resting)
+        self._actions.append(
+            Action(name, packs[0][0], mix.supports, values, fade_in, fade_out, packed, gaits, begin)
+        )
+        return len(self._actions) - 1
+
+    def _check_new(self, name: str, fade_in: float, fade_out: float) -> None:
         if any(action.name == name for action in self._actions):
             raise ArgumentError(f"there already is an action named {name!r}; names must differ")
         for label, seconds in (("fade_in", fade_in), ("fade_out", fade_out)):
             if not (math.isfinite(seconds) and seconds >= 0.0):
                 raise ArgumentError(f"{label} of {name!r} is {seconds} s; it must be >= 0")
-        clip = self._in_family(name, clip)
-        _check_supports(name, clip, supports)
-        values = parse_priority(priority)
-        if not self._actions:
+
+    def _packed(self, label: str, clip: Clip, supports: SupportSequence) -> tuple[Clip, PackedClip]:
+        """Return a clip of this library's family, and the same normalized.
+
+        Args:
+            label: What messages call it.
+            clip: Of any family.
+            supports: What it stands on.
+        """
+        clip = self._in_family(label, clip)
+        check_supports(label, clip, supports)
+        if self._standing is None:
             self._anatomy = with_soles(self.anatomy, *clip.world_poses())
         packed = pack_clip(clip, self.anatomy, supports)
         if self._standing is None:
             self._stand_like(packed)
-        self._actions.append(Action(name, clip, supports, values, fade_in, fade_out, packed))
-        return len(self._actions) - 1
+        return clip, packed
 
-    def _in_family(self, name: str, clip: Clip) -> Clip:
+    def _in_family(self, label: str, clip: Clip) -> Clip:
         """Return a clip on a skeleton of this library's family, its joints in their order."""
         if self._skeleton is None:
             self._skeleton = clip.skeleton
@@ -171,7 +207,7 @@ class MotionLibrary:
             return retarget(clip, self._skeleton, body_map)
         except SkeletonError as error:
             raise SkeletonError(
-                f"{name!r} moves another skeleton and cannot be retargeted: {error}"
+                f"{label} moves another skeleton and cannot be retargeted: {error}"
             ) from error
 
     def _stand_like(self, packed: PackedClip) -> None:
@@ -200,7 +236,7 @@ class MotionLibrary:
         return Shelf(
             keys=np.concatenate([*(action.packed.keys for action in actions), self._standing]),
             roots=np.concatenate([*(action.packed.roots for action in actions), standing_root]),
-            entries=_entries(actions),
+            entries=entries_of(actions),
             resting_heights=np.stack(
                 [*(action.packed.resting_heights for action in actions), self._resting]
             ),
@@ -210,33 +246,3 @@ class MotionLibrary:
             use_paper_cubic=planner == "paper",
             joints=self.skeleton.count,
         )
-
-
-def _check_supports(name: str, clip: Clip, supports: SupportSequence) -> None:
-    check_registration(supports)
-    if supports.cyclic != clip.cyclic:
-        kinds = {True: "cyclic", False: "once"}
-        raise ClipError(
-            f"the clip of {name!r} is {kinds[clip.cyclic]}, its supports are "
-            f"{kinds[supports.cyclic]}; both must be the same"
-        )
-    if abs(supports.duration - clip.duration) > LONGEST_DISAGREEMENT:
-        raise ClipError(
-            f"the clip of {name!r} lasts {clip.duration:.3f} s, its supports "
-            f"{supports.duration:.3f} s; both must last the same"
-        )
-
-
-def _entries(actions: list[Action]) -> Any:
-    """Return one record an action, in their order."""
-    entries = records(np.zeros(len(actions), dtype=entry_type))
-    frame = phase = 0
-    for entry, action in zip(entries, actions, strict=True):
-        clip, count = action.clip, len(action.supports.phases)
-        entry["first_frame"], entry["frame_count"] = frame, clip.frames
-        entry["fps"], entry["duration"], entry["cyclic"] = clip.fps, clip.duration, clip.cyclic
-        entry["phase_first"], entry["phase_count"] = phase, count
-        entry["priorities"] = action.priority
-        entry["fade_in"], entry["fade_out"] = action.fade_in, action.fade_out
-        frame, phase = frame + clip.frames, phase + count
-    return entries

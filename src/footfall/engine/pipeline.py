@@ -16,6 +16,7 @@ from footfall.arrays import Positions, Rotations
 from footfall.compilation import inlined_kernel, kernel
 from footfall.engine.clock import pass_time
 from footfall.engine.feet import locate_feet, stand_where_planted
+from footfall.engine.flight import fly
 from footfall.engine.placing import place_body, write_world
 from footfall.engine.pose import blend_poses, move_root
 from footfall.engine.record import Character
@@ -46,6 +47,7 @@ def _advance_row(
     pass_time(shelf, me, work.search, rules, dt)
     # 4. The pose of each clip at that time, and their weighted mean, free of any body.
     blend_poses(shelf, rig, me, work)
+    fly(shelf, rig, me, dt)
     # 5. The feet of that mean; where nothing plays they stand where they were planted.
     stand_where_planted(shelf, me)
     locate_feet(shelf, me, work)

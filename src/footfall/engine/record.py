@@ -73,6 +73,19 @@ class Character:
     placed: bool
     """Whether it was put somewhere since the pose shown last: there are no footprints then."""
 
+    flight: int
+    """What happens while nothing carries: a number of `footfall.engine.flight.FLIGHTS`."""
+
+    aloft: bool
+    """Whether the body falls freely."""
+
+    pelvis: Annotated[Floats, 2]
+    """Height of the pelvis in the blended pose [m], and how fast it goes up while it falls freely
+    [m/s], shape (2,)."""
+
+    lift: Annotated[Floats, 2]
+    """How far free fall has taken it from there [m], and how fast that changes [m/s], (2,)."""
+
     support: int
     """What carries the body now."""
 

@@ -2,5 +2,6 @@
 
 from footfall.samples.body import sample_skeleton
 from footfall.samples.catalog import sample, sample_names
+from footfall.samples.quadruped import quadruped_supports
 
-__all__ = ["sample", "sample_names", "sample_skeleton"]
+__all__ = ["quadruped_supports", "sample", "sample_names", "sample_skeleton"]

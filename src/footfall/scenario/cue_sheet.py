@@ -7,13 +7,13 @@ from __future__ import annotations
 
 import re
 import tomllib
-from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Literal, cast
 
 from footfall.errors import FileFormatError, FootfallError, ScenarioError
 from footfall.scenario.cue_sheet_fields import Fields
+from footfall.scenario.entries import ActionEntry, Cue
 from footfall.scenario.ground_change import (
     GROUND_KINDS,
     HIGHEST,
@@ -25,71 +25,19 @@ from footfall.sync.tables import Planner
 
 __all__ = ["ActionEntry", "Cue", "Scenario", "load_scenario", "parse_scenario"]
 
-Priority = float | Mapping[str, float]
-
 LONGEST = 3600.0
 """Greatest duration of a scenario [s]."""
-
-LEVEL = GroundChange()
-"""The ground as it is at first."""
 
 FASTEST = 1000.0
 """Greatest frame rate."""
 
+FASTEST_GAIT = 20.0
+"""Greatest speed [m/s], and turn [rad/s], of a gait."""
 
-@dataclass(frozen=True, slots=True)
-class ActionEntry:
-    """A motion that cues may start and stop."""
+COMMANDS = ("start", "stop", "priority", "speed", "turn", "ground")
+"""The keys of a cue, one of which it has."""
 
-    name: str
-    """What cues call it."""
-
-    motion: str
-    """A file beside the scenario, or ``sample:NAME``."""
-
-    priority: Priority = 1.0
-    """Of the whole body, or by body part."""
-
-    fade_in: float = 0.3
-    """How long a start takes to become complete [s]."""
-
-    fade_out: float = 0.3
-    """How long a stop takes to become complete [s]."""
-
-    cyclic: bool | None = None
-    """Whether it starts over after its end; None: as the motion itself says."""
-
-    supports: str | None = None
-    """A file beside the scenario: the supports of the motion as it is performed."""
-
-    mirror: bool = False
-    """Whether left and right are exchanged."""
-
-    crop: tuple[float, float] | None = None
-    """Only this part of the motion [s]."""
-
-    clean: bool = False
-    """Whether its own planted feet are pinned at import."""
-
-
-@dataclass(frozen=True, slots=True)
-class Cue:
-    """A command at a time."""
-
-    at: float
-    """When [s]."""
-
-    kind: Literal["start", "stop", "priority", "ground"]
-    """What is commanded."""
-
-    action: str = ""
-    """The name of the action it is about; empty where it is about the ground."""
-
-    priority: Priority | None = None
-    """The new priority, where it is one."""
-
-    ground: GroundChange = LEVEL
-    """How the ground is to be, where it is about it."""
+WHERE = 'a file beside the scenario or "sample:walk"'
 
 
 @dataclass(frozen=True, slots=True)
@@ -189,10 +137,29 @@ def _scenario(fields: Fields, path: Path) -> Scenario:
 
 
 def _action(fields: Fields) -> ActionEntry:
-    fields.know(*(slot for slot in ActionEntry.__slots__))
+    known = [slot for slot in ActionEntry.__slots__ if slot != "others"]
+    fields.know(*known[:2], "motions", *known[2:])
+    name = fields.needed_text("name", 'a name for cues, such as "walk"')
+    if not fields.has("motions"):
+        for key in ("speed", "turn"):
+            if fields.has(key):
+                raise ScenarioError(
+                    f"{fields.label(key)} needs motions: a list of gaits that go at different "
+                    f"ones, instead of motion"
+                )
+        motion, others = fields.needed_text("motion", WHERE), ()
+    elif fields.has("motion"):
+        raise ScenarioError(f"{fields.where} has motion and motions; give one of them")
+    else:
+        motion, *others = fields.texts("motions", WHERE)
+        if not others:
+            raise ScenarioError(f"{fields.label('motions')} is one; a gait needs two or more")
     return ActionEntry(
-        name=fields.needed_text("name", 'a name for cues, such as "walk"'),
-        motion=fields.needed_text("motion", 'a file beside the scenario or "sample:walk"'),
+        name=name,
+        motion=motion,
+        others=tuple(others),
+        speed=fields.maybe_number("speed", least=-FASTEST_GAIT, most=FASTEST_GAIT),
+        turn=fields.maybe_number("turn", least=-FASTEST_GAIT, most=FASTEST_GAIT),
         priority=fields.priority("priority", 1.0),
         fade_in=fields.number("fade_in", least=0.0, most=60.0, default=0.3),
         fade_out=fields.number("fade_out", least=0.0, most=60.0, default=0.3),
@@ -205,18 +172,32 @@ def _action(fields: Fields) -> ActionEntry:
 
 
 def _cues(fields: Fields, names: list[str], duration: float) -> list[Cue]:
-    fields.know("at", "start", "stop", "priority", "ground")
+    fields.know("at", *COMMANDS)
     at = fields.number("at", least=0.0, most=duration, default=None)
-    commands = [key for key in ("start", "stop", "priority", "ground") if fields.has(key)]
+    commands = [key for key in COMMANDS if fields.has(key)]
     if len(commands) != 1:
         told = " and ".join(commands) or "no command"
         raise ScenarioError(
-            f"{fields.where} has {told}; it must have one of start, stop, priority and ground"
+            f"{fields.where} has {told}; it must have one of {', '.join(COMMANDS[:-1])} "
+            f"and {COMMANDS[-1]}"
         )
     if commands[0] == "priority":
         changes = fields.table("priority")
         return [
             Cue(at, "priority", changes.one_of(name, names), changes.priority(name, 1.0))
+            for name in changes.names
+        ]
+    if commands[0] in ("speed", "turn"):
+        kind = commands[0]
+        changes = fields.table(kind)
+        limit = FASTEST_GAIT
+        return [
+            Cue(
+                at,
+                kind,
+                changes.one_of(name, names),
+                parameter=changes.number(name, least=-limit, most=limit, default=None),
+            )
             for name in changes.names
         ]
     if commands[0] == "ground":

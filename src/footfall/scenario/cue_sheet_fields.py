@@ -95,6 +95,22 @@ class Fields:
             raise ScenarioError(f"{self.label(key)} is missing; give {what}")
         return value
 
+    def maybe_number(self, key: str, *, least: float, most: float) -> float | None:
+        """Return a number as of `number`; None where it is missing."""
+        return self.number(key, least=least, most=most, default=None) if self.has(key) else None
+
+    def texts(self, key: str, what: str) -> list[str]:
+        """Return at least one text, none of them empty.
+
+        Raises:
+            ScenarioError: If they are not.
+        """
+        value: Any = self._table.get(key)
+        items = cast(list[Any], value) if isinstance(value, list) else []
+        if not items or not all(isinstance(item, str) and item for item in items):
+            raise ScenarioError(f"{self.label(key)} is {value!r}; it must be a list, each {what}")
+        return items
+
     def flag(self, key: str, default: bool | None) -> bool | None:
         """Return true or false.
 

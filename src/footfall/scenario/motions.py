@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
 from footfall.detection import clean, detect_supports
-from footfall.engine.library import LONGEST_DISAGREEMENT
+from footfall.engine.action import LONGEST_DISAGREEMENT
 from footfall.errors import FileFormatError, FootfallError, ScenarioError
 from footfall.io import load, load_native_supports, load_supports, split_choice
 from footfall.io.amass import is_amass
@@ -17,7 +17,8 @@ from footfall.motion.cycle_closing import close_cycle, cut_cycle
 from footfall.motion.editing import crop
 from footfall.motion.mirroring import mirror
 from footfall.samples import sample
-from footfall.scenario.cue_sheet import ActionEntry, Scenario
+from footfall.scenario.cue_sheet import Scenario
+from footfall.scenario.entries import ActionEntry
 from footfall.skeleton import Anatomy, Skeleton, find_anatomy
 from footfall.support import Support, SupportPhase, SupportSequence
 
@@ -47,6 +48,9 @@ class Motion:
 
     supports: SupportSequence
     """What carries the body when."""
+
+    others: tuple[Motion, ...] = ()
+    """Where the action follows a speed and a turn: the motions of the others."""
 
 
 def supports_path(path: Path) -> Path:
@@ -143,7 +147,12 @@ def resolve_motion(entry: ActionEntry, scenario: Scenario, like: Motion | None =
         ScenarioError: If the motion cannot be read or edited as asked.
     """
     try:
-        return _resolved(entry, scenario, like)
+        first = _resolved(entry, scenario, like)
+        others = tuple(
+            _resolved(replace(entry, motion=name, others=()), scenario, like or first)
+            for name in entry.others
+        )
+        return replace(first, others=others)
     except FootfallError as error:
         raise ScenarioError(f"{scenario.path}: action {entry.name!r}: {error}") from error
 

@@ -7,7 +7,8 @@ from dataclasses import dataclass
 from footfall.adaptation import AnyGround
 from footfall.engine import Character, Waiting
 from footfall.engine.recording import Recorder, Recording
-from footfall.scenario.cue_sheet import Cue, Scenario
+from footfall.scenario.cue_sheet import Scenario
+from footfall.scenario.entries import Cue
 from footfall.scenario.moving_ground import MovingGround
 
 __all__ = ["Play", "StartCue"]
@@ -95,6 +96,10 @@ class Play:
             self.character.stop(cue.action)
         elif cue.kind == "ground":
             self.ground.ask(cue.ground, self.character.root)
+        elif cue.kind == "speed":
+            self.character.set_parameters(cue.action, speed=cue.parameter)
+        elif cue.kind == "turn":
+            self.character.set_parameters(cue.action, turn=cue.parameter)
         elif cue.kind == "priority":
             assert cue.priority is not None
             self.character.set_priority(cue.action, cue.priority)

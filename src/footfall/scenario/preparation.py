@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 from footfall.adaptation import Plane
 from footfall.baselines import PacedCharacter, Pacing
 from footfall.engine import Character, MotionLibrary
 from footfall.motion import Clip, extract_root_path
-from footfall.scenario.cue_sheet import ActionEntry, Scenario
+from footfall.scenario.cue_sheet import Scenario
+from footfall.scenario.entries import ActionEntry
 from footfall.scenario.motions import Motion, body_of
 from footfall.skeleton import Skeleton, find_anatomy
 from footfall.sync.tables import Planner
@@ -56,13 +58,24 @@ def prepare_character(
         )
     made = clips or [motion.clip for motion in motions]
     for entry, motion, clip in zip(scenario.actions, motions, made, strict=True):
-        add_action(character, entry, Motion(clip, motion.supports))
+        add_action(character, entry, replace(motion, clip=clip))
     _place(character, motions[leading])
     return character, ground
 
 
 def add_action(character: Character, entry: ActionEntry, motion: Motion) -> None:
     """Let a character know one more action of a scenario; errors as of `Character.add`."""
+    if motion.others:
+        character.add_locomotion(
+            entry.name,
+            [(one.clip, one.supports) for one in (motion, *motion.others)],
+            speed=entry.speed,
+            turn=entry.turn,
+            priority=entry.priority,
+            fade_in=entry.fade_in,
+            fade_out=entry.fade_out,
+        )
+        return
     character.add(
         entry.name,
         motion.clip,

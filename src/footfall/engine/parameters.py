@@ -1,0 +1,210 @@
+"""Parameters of a crowd's actions: where they are on their way, and the mixes that follow them.
+
+A mix is worked out anew while a parameter moves, and written over the old one in the crowd's own
+shelf. Every clip of it keeps its place: the same share of the same phase (S-17).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from footfall.actions import CycleMix
+from footfall.arrays import Seconds
+from footfall.compilation import kernel
+from footfall.engine.action import Action
+from footfall.engine.record import SEATS, Character
+from footfall.engine.shelf import Shelf, key_at, read_points
+from footfall.engine.state import EMPTY, RUNNING
+from footfall.errors import ArgumentError
+from footfall.support import Support, SupportSequence
+
+__all__ = ["FINEST", "Parameters", "keep_places"]
+
+ACCELERATION = 1.5
+"""How fast a speed follows what is asked for [m/s²]."""
+
+TURNING = 2.5
+"""How fast a turn does [rad/s²]."""
+
+FINEST = 1.0 / 60.0
+"""Time between two mixes [s]."""
+
+Characters = npt.NDArray[Any]
+
+
+@dataclass(frozen=True, slots=True)
+class _Value:
+    """The parameters of one action."""
+
+    now: tuple[float, float]
+    """Speed [m/s] and turn [rad/s]."""
+
+    asked: tuple[float, float]
+    """Where they go."""
+
+    supports: SupportSequence
+    """What the action stands on at them."""
+
+    def after(self, dt: float) -> tuple[float, float]:
+        """Return the parameters a time [s] later."""
+        most = (ACCELERATION * dt, TURNING * dt)
+        speed, turn = (
+            now + min(max(asked - now, -step), step)
+            for now, asked, step in zip(self.now, self.asked, most, strict=True)
+        )
+        return speed, turn
+
+
+class Parameters:
+    """The speeds and turns of one crowd; all its characters share them."""
+
+    def __init__(self) -> None:
+        """Begin with every action as the library has it."""
+        self._values: dict[int, _Value] = {}
+
+    @property
+    def moving(self) -> bool:
+        """Whether a parameter is on its way."""
+        return any(value.now != value.asked for value in self._values.values())
+
+    def of(self, action: Action, index: int) -> tuple[float, float]:
+        """Return the speed [m/s] and the turn [rad/s] that an action has now."""
+        return self._values[index].now if index in self._values else action.parameters
+
+    def supports(self, action: Action, index: int) -> SupportSequence:
+        """Return what an action stands on at its present parameters."""
+        return self._values[index].supports if index in self._values else action.supports
+
+    def ask(
+        self,
+        shelf: Shelf,
+        characters: Characters,
+        action: Action,
+        index: int,
+        asked: tuple[float | None, float | None],
+    ) -> None:
+        """Ask for a speed and a turn; where nobody performs the action, it has them at once.
+
+        Raises:
+            ArgumentError: If the action has no parameters, or its clips do not reach one.
+        """
+        if action.locomotion is None:
+            raise ArgumentError(
+                f"{action.name!r} is one clip and has no parameters; add_locomotion makes an "
+                "action of several"
+            )
+        value = self._values.get(index) or _Value(
+            action.parameters, action.parameters, action.supports
+        )
+        goal = action.locomotion.checked(*asked, default=value.asked)
+        self._values[index] = _Value(value.now, goal, value.supports)
+        performed = (characters["action"] == index) & (characters["status"] != EMPTY)
+        if not performed.any():
+            self._move(shelf, characters, action, index, goal)
+
+    def advance(
+        self, shelf: Shelf, characters: Characters, actions: Sequence[Action], dt: float
+    ) -> None:
+        """Let every parameter go on its way for a time [s]."""
+        for index, value in list(self._values.items()):
+            if value.now != value.asked:
+                self._move(shelf, characters, actions[index], index, value.after(dt))
+
+    def write(self, shelf: Shelf, characters: Characters, actions: Sequence[Action]) -> None:
+        """Write every mix into a new shelf."""
+        for index, value in list(self._values.items()):
+            self._move(shelf, characters, actions[index], index, value.now)
+
+    def _move(
+        self,
+        shelf: Shelf,
+        characters: Characters,
+        action: Action,
+        index: int,
+        now: tuple[float, float],
+    ) -> None:
+        assert action.locomotion is not None
+        value = self._values[index]
+        mix = action.locomotion.mix(*now, kept=_kept(characters, index, value.supports))
+        self._values[index] = _Value(now, value.asked, mix.supports)
+        old = np.array(value.supports.boundaries)
+        _write_mix(shelf, index, mix)
+        keep_places(shelf, characters, index, old, np.array(mix.supports.boundaries))
+
+
+def _kept(characters: Characters, index: int, supports: SupportSequence) -> dict[int, Support]:
+    """Return the supports of the phases that are being played.
+
+    Of one character: a crowd plays all of them at any time, and each of its characters has the
+    support of its present slot in its own record.
+    """
+    if len(characters) > 1:
+        return {}
+    me = characters[0]
+    playing = (me["action"] == index) & (me["playing"] != 0)
+    count = len(supports.phases)
+    phases = {int(phase) % count for phase in me["phases"][playing, 0]}
+    return {phase: supports.phases[phase].support for phase in phases}
+
+
+def _write_mix(shelf: Shelf, index: int, mix: CycleMix) -> None:
+    """Write a mix over the old one of the same action."""
+    entry: Any = shelf.entries[index]
+    first, count = int(entry["first_frame"]), int(entry["frame_count"])
+    shelf.keys[first : first + count] = mix.keys
+    shelf.roots[first : first + count] = mix.roots
+    entry["duration"] = mix.supports.duration
+    entry["fps"] = (count - 1) / mix.supports.duration
+    rows = slice(int(entry["phase_first"]), int(entry["phase_first"] + entry["phase_count"]))
+    shelf.phase_starts[rows] = mix.supports.boundaries[:-1]
+    shelf.table.supports[rows] = [int(phase.support) for phase in mix.supports.phases]
+    shelf.table.durations[rows] = [phase.duration for phase in mix.supports.phases]
+
+
+@kernel
+def keep_places(
+    shelf: Shelf, characters: npt.NDArray[Any], action: int, old: Seconds, new: Seconds
+) -> None:
+    """Leave every clip of an action at the same share of the same phase.
+
+    Args:
+        shelf: The library, the new mix in it.
+        characters: Records of `character_type`, shape (rows,).
+        action: Which action.
+        old: Boundaries of its phases before [s], shape (phases + 1,), from 0 on.
+        new: Its boundaries now.
+    """
+    for row in range(characters.shape[0]):
+        me: Character = characters[row]
+        for seat in range(SEATS):
+            if me.status[seat] < RUNNING or me.action[seat] != action:
+                continue
+            me.clip_time[seat], pace = _moved(old, new, me.clip_time[seat])
+            me.posed_time[seat] = _moved(old, new, me.posed_time[seat])[0]
+            me.target[seat] = _moved(old, new, me.target[seat])[0]
+            me.rate[seat] *= pace
+            me.natural[seat] *= pace
+            for end in range(2):
+                me.segment[seat, 1 + 3 * end] = _moved(old, new, me.segment[seat, 1 + 3 * end])[0]
+                me.segment[seat, 2 + 3 * end] *= pace
+            frame, fraction, _ = key_at(shelf.entries[action], me.posed_time[seat])
+            read_points(shelf, frame, fraction, me.seat_points[seat])
+            me.unsettled = True
+
+
+@kernel
+def _moved(old: Seconds, new: Seconds, time: float) -> tuple[float, float]:
+    """Return the time of the same place in another mix, and how fast time goes there."""
+    last = old.shape[0] - 1
+    cycle = np.floor(time / old[last])
+    within = time - cycle * old[last]
+    phase = 0
+    while phase < last - 1 and within >= old[phase + 1]:
+        phase += 1
+    pace = (new[phase + 1] - new[phase]) / (old[phase + 1] - old[phase])
+    return cycle * new[last] + new[phase] + pace * (within - old[phase]), pace

@@ -1,0 +1,158 @@
+"""Reach and grasp: the commands for the hands of a crowd, and what has become of them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, Literal
+
+import numpy as np
+import numpy.typing as npt
+
+from footfall.arrays import Positions
+from footfall.engine.hand_record import FREE, HOLDS, REACHES, new_hands
+from footfall.engine.hands import CLOSE, move_hands, palms_of
+from footfall.engine.rows import Rows, check_rows
+from footfall.engine.steering import Steering
+from footfall.errors import ArgumentError, SkeletonError
+from footfall.skeleton import Skeleton
+from footfall.skeleton.arm_ik import arm_rig_of
+
+__all__ = ["HandState", "Reaching", "Side"]
+
+Side = Literal["left", "right"]
+"""Which hand."""
+
+SIDES: tuple[Side, Side] = ("left", "right")
+
+
+@dataclass(frozen=True, slots=True)
+class HandState:
+    """What one hand does now."""
+
+    task: Literal["free", "reaches", "holds"]
+    """Whether it goes its own way, goes for a point, or carries what it took there."""
+
+    weight: float
+    """How much the reach rather than the motion moves the arm, 0 to 1."""
+
+    palm: tuple[float, float, float]
+    """Where the palm is in the world [m]; where it was, while it has never reached."""
+
+    object: tuple[float, float, float]
+    """Where what it reaches for, or carries, is in the world [m]."""
+
+    missing: float
+    """How far the arm is too short for the point [m]; millimeters where it is nearly straight."""
+
+    @property
+    def problem(self) -> str:
+        """What keeps it from its point, in words; empty where nothing does."""
+        if self.task != "reaches" or self.missing < CLOSE:
+            return ""
+        x, y, z = self.object
+        return f"({x:.2f}, {y:.2f}, {z:.2f}) is {self.missing:.2f} m out of reach"
+
+
+class Reaching(Steering):
+    """The part of a crowd that moves hands."""
+
+    skeleton: Skeleton
+    _hands: npt.NDArray[Any] | None = None
+
+    def reach(
+        self,
+        hand: Side,
+        point: npt.ArrayLike,
+        rows: Rows = None,
+        *,
+        grasp: bool = False,
+        fade: float = 0.4,
+    ) -> None:
+        """Let a hand go for a point; one that already does follows the new one smoothly.
+
+        It takes no part in the schedule: legs go on as they do.
+
+        Args:
+            hand: Which one.
+            point: Where in the world [m], shape (3,) or (rows, 3).
+            rows: Which characters: row numbers, a mask, or None for all.
+            grasp: Whether it closes on what is there, and then carries it along.
+            fade: How long it takes to get there, and back [s], > 0.
+
+        Raises:
+            ArgumentError: If the hand or a row does not exist, or a number is out of range.
+            SkeletonError: If the body has no such arm.
+        """
+        side = self._side(hand)
+        chosen = check_rows(rows, self.size)
+        points = np.broadcast_to(np.asarray(point, dtype=np.float64), (len(chosen), 3))
+        if not np.isfinite(points).all():
+            raise ArgumentError(f"the point of a reach is {point}; it must be finite")
+        if not 0.0 < fade < float("inf"):
+            raise ArgumentError(f"the fade of a reach is {fade} s; it must be finite and > 0")
+        if self._hands is None:
+            self._hands = new_hands(self.size)
+            self._palms = palms_of(
+                self.skeleton,
+                self.library.anatomy,
+                arm_rig_of(self.skeleton, self.library.anatomy),
+            )
+        if self._palms.arms.limbs[side, 2] < 0:
+            raise SkeletonError(
+                f"the skeleton has no {hand} arm that is known by its names; it cannot reach"
+            )
+        for row, place in zip(chosen, points, strict=True):
+            one = self._hands[row, side]
+            if one["progress"] <= 0.0:
+                one["aim"], one["aim_velocity"] = place, 0.0
+            one["point"], one["held"] = place, place
+            one["task"], one["closes"], one["fade"] = REACHES, grasp, fade
+
+    def release(self, hand: Side, rows: Rows = None) -> None:
+        """Let a hand go back to its own motion; what it carries stays where it is now.
+
+        Raises:
+            ArgumentError: If the hand or a row does not exist.
+        """
+        side = self._side(hand)
+        if self._hands is not None:
+            self._hands["task"][check_rows(rows, self.size), side] = FREE
+
+    def hand(self, hand: Side, row: int = 0) -> HandState:
+        """Return what a hand of one character does now.
+
+        Raises:
+            ArgumentError: If the hand or the row does not exist.
+        """
+        side, row = self._side(hand), int(check_rows([row], self.size)[0])
+        if self._hands is None:
+            return HandState("free", 0.0, (0.0, 0.0, 0.0), (0.0, 0.0, 0.0), 0.0)
+        one = self._hands[row, side]
+        tasks: dict[int, Literal["free", "reaches", "holds"]] = {REACHES: "reaches", HOLDS: "holds"}
+        progress = float(one["progress"])
+        return HandState(
+            tasks.get(int(one["task"]), "free"),
+            progress * progress * (3.0 - 2.0 * progress),
+            _triple(one["palm"]),
+            _triple(one["held"]),
+            float(one["missing"]),
+        )
+
+    def _move_hands(
+        self, world_rotations: Positions, world_positions: Positions, dt: float
+    ) -> None:
+        """Turn the arms of a pose that has just been worked out."""
+        if self._hands is not None:
+            move_hands(
+                self._palms, self._characters, self._hands, world_rotations, world_positions, dt
+            )
+
+    def _side(self, hand: Side) -> int:
+        if hand not in SIDES:
+            raise ArgumentError(f"no hand {hand!r}; there are left and right")
+        return SIDES.index(hand)
+
+
+def _triple(place: Positions) -> tuple[float, float, float]:
+    x, y, z = place.tolist()
+    return x, y, z
