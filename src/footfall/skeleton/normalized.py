@@ -26,7 +26,7 @@ from footfall.geometry import conjugate, continuous, from_yaw, multiply, quatern
 from footfall.skeleton.kinematics import pose_forward, world_poses
 from footfall.skeleton.rig import FOOT, THIGH, Rig
 from footfall.skeleton.skeleton import Skeleton
-from footfall.skeleton.two_bone_ik import reach_point
+from footfall.skeleton.two_bone_ik import reach_point, turn_about
 
 __all__ = ["channel_count", "normalize", "place_chain", "reach_ankle"]
 
@@ -150,39 +150,11 @@ def reach_ankle(
         elif segment == FOOT:
             _follow_parent(rig, joint, local_rotations, rotations, positions)
         elif segment == THIGH:
-            _turn_about(
+            turn_about(
                 joint, upper, (hip_x, hip_y, hip_z), (hip_x, hip_y, hip_z), rotations, positions
             )
         else:
-            _turn_about(joint, lower, (knee_x, knee_y, knee_z), bent, rotations, positions)
-
-
-@kernel
-def _turn_about(
-    joint: int,
-    turn: tuple[float, float, float, float],
-    pivot: tuple[float, float, float],
-    new_pivot: tuple[float, float, float],
-    rotations: Rotations,
-    positions: Positions,
-) -> None:
-    """Turn a joint about a pivot, which itself moves."""
-    x, y, z = quaternions.rotate(
-        turn[0],
-        turn[1],
-        turn[2],
-        turn[3],
-        positions[joint, 0] - pivot[0],
-        positions[joint, 1] - pivot[1],
-        positions[joint, 2] - pivot[2],
-    )
-    positions[joint, 0] = new_pivot[0] + x
-    positions[joint, 1] = new_pivot[1] + y
-    positions[joint, 2] = new_pivot[2] + z
-    q = rotations[joint]
-    q[0], q[1], q[2], q[3] = quaternions.product(
-        turn[0], turn[1], turn[2], turn[3], q[0], q[1], q[2], q[3]
-    )
+            turn_about(joint, lower, (knee_x, knee_y, knee_z), bent, rotations, positions)
 
 
 @kernel

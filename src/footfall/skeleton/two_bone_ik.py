@@ -8,13 +8,14 @@ from __future__ import annotations
 
 import math
 
+from footfall.arrays import Positions, Rotations
 from footfall.compilation import kernel
 from footfall.geometry import quaternions
 
 Vector = tuple[float, float, float]
 Quaternion = tuple[float, float, float, float]
 
-__all__ = ["LONGEST_REACH", "SOFT_REACH", "reach_point", "softened_reach"]
+__all__ = ["LONGEST_REACH", "SOFT_REACH", "reach_point", "softened_reach", "turn_about"]
 
 SOFT_REACH = 0.985
 """Extension (share of the limb's length) beyond which a target is approached softly, unless
@@ -138,4 +139,41 @@ def reach_point(
         lower_turn,
         (start[0] + mx, start[1] + my, start[2] + mz),
         (start[0] + reach * dx, start[1] + reach * dy, start[2] + reach * dz),
+    )
+
+
+@kernel
+def turn_about(
+    joint: int,
+    turn: Quaternion,
+    pivot: Vector,
+    new_pivot: Vector,
+    rotations: Rotations,
+    positions: Positions,
+) -> None:
+    """Turn a joint about a pivot, which itself moves.
+
+    Args:
+        joint: Which joint.
+        turn: How far it is turned.
+        pivot: About what [m].
+        new_pivot: Where that comes to be [m].
+        rotations: All joints, shape (joints, 4); this one's is rewritten.
+        positions: All joints [m], shape (joints, 3); likewise.
+    """
+    x, y, z = quaternions.rotate(
+        turn[0],
+        turn[1],
+        turn[2],
+        turn[3],
+        positions[joint, 0] - pivot[0],
+        positions[joint, 1] - pivot[1],
+        positions[joint, 2] - pivot[2],
+    )
+    positions[joint, 0] = new_pivot[0] + x
+    positions[joint, 1] = new_pivot[1] + y
+    positions[joint, 2] = new_pivot[2] + z
+    q = rotations[joint]
+    q[0], q[1], q[2], q[3] = quaternions.product(
+        turn[0], turn[1], turn[2], turn[3], q[0], q[1], q[2], q[3]
     )
