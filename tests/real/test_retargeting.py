@@ -17,6 +17,7 @@ from footfall.io import load
 from footfall.motion.retargeting import map_clip, retarget
 from footfall.report import clip_trace, measure
 from footfall.report.capsule_overlap import arm_overlaps
+from footfall.report.track import carrying
 from footfall.skeleton import Skeleton, find_anatomy
 
 FOLDER = Path(__file__).parents[3] / "shared" / "motions"
@@ -80,6 +81,8 @@ def test_motions_on_bodies_in_a_table() -> None:
         anatomy = find_anatomy(clip.skeleton)
         supports = detect_supports(clip, anatomy)
         clip = clean_and_tell(clip, supports, anatomy).clip
+        times = np.arange(clip.frames) / clip.fps
+        carries = carrying(supports.supports_at(times))
         source = measure(clip_trace(clip, anatomy, supports))
         deep = arm_overlaps(clip.skeleton, anatomy, clip.world_poses()[1]).max()
         print(f"{motion.split('/')[1]:24}{'(source)':11}", end="")
@@ -92,7 +95,7 @@ def test_motions_on_bodies_in_a_table() -> None:
         for name, (performer, file) in performers().items():
             shown = None if file is None else load(FOLDER / file)
             found = map_clip(clip, performer, shown)
-            result = retarget(clip, performer, found)
+            result = retarget(clip, performer, found, carries)
             own = find_anatomy(performer)
             told = measure(clip_trace(result, own, supports))
             assert told.pops is not None

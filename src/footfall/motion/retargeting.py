@@ -11,7 +11,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from footfall.arrays import Floats, Positions, Rotations
+from footfall.arrays import Flags, Floats, Positions, Rotations
 from footfall.errors import SkeletonError
 from footfall.geometry import continuous, rotate
 from footfall.motion.arm_placement import place_wrist
@@ -20,6 +20,7 @@ from footfall.motion.leg_placement import place_feet
 from footfall.motion.limb_attitudes import observe_attitudes
 from footfall.motion.pelvis_drop import pelvis_drops
 from footfall.motion.sole_placement import ankles_on_soles, soles_of
+from footfall.motion.sole_planting import FootPaths, planted_offsets
 from footfall.motion.soles import with_soles
 from footfall.skeleton import Anatomy, Skeleton, find_anatomy, world_poses
 from footfall.skeleton.body_map import BodyMap, body_rotations, local_rotations
@@ -61,13 +62,20 @@ def _seen(clip: Clip) -> LimbAttitudes:
     return observe_attitudes(clip, find_anatomy(clip.skeleton))
 
 
-def retarget(clip: Clip, body: Skeleton, body_map: BodyMap | None = None) -> Clip:
+def retarget(
+    clip: Clip,
+    body: Skeleton,
+    body_map: BodyMap | None = None,
+    carries: Flags | None = None,
+) -> Clip:
     """Return a motion as another body performs it.
 
     Args:
         clip: The motion.
         body: The body that is to perform it.
         body_map: What drives its joints; by default what `map_clip` finds.
+        carries: Whether left and right foot carry the body, shape (frames, 2): there its soles
+            are kept still and on the ground. None: they do as the leader's do.
 
     Raises:
         SkeletonError: If there is no map between the two bodies, or it is another bodies' map.
@@ -85,6 +93,8 @@ def retarget(clip: Clip, body: Skeleton, body_map: BodyMap | None = None) -> Cli
     offsets = _sole_offsets(body, own, world, world_poses(body, pelvis, local)[1])
     feet = world[:, [leg.ankle for leg in own.legs]]
     ankles = ankles_on_soles(soles, found.leg_ratio, offsets, feet)
+    if carries is not None:
+        ankles += _planted(clip, found.leg_ratio * soles.points, offsets, (ankles, feet), carries)
     local = _with_hands(clip, found, own, (rotations, positions), pelvis, local)
     drops = pelvis_drops(body, own, pelvis, local, ankles, clip.fps, clip.cyclic)
     pelvis[:, 1] -= drops
@@ -105,6 +115,27 @@ def _sole_offsets(
 ) -> Positions:
     """Return heels and toes in the frames of the ankles [m], shape (2, 2, 3)."""
     return soles_of(body, with_soles(anatomy, rotations, positions), rotations, positions).offsets
+
+
+def _planted(
+    clip: Clip,
+    leading: Positions,
+    offsets: Positions,
+    feet: tuple[Positions, Rotations],
+    carries: Flags,
+) -> Positions:
+    """Return how far to move the feet so that they stay where they are planted [m]."""
+    ankles, turns = feet
+    own = ankles[:, :, np.newaxis] + rotate(turns[:, :, np.newaxis], offsets)
+    return np.stack(
+        [
+            planted_offsets(
+                FootPaths(leading[:, foot], own[:, foot], carries[:, foot]), clip.fps
+            )
+            for foot in range(2)
+        ],
+        axis=1,
+    )
 
 
 def _with_hands(
