@@ -14,11 +14,11 @@ from tests.skeleton.bodies import body
 
 from footfall.detection import clean_and_tell, detect_supports
 from footfall.io import load
-from footfall.motion.retargeting import map_clip, retarget
+from footfall.motion.retargeting import map_clip, performer_anatomy, retarget
 from footfall.report import clip_trace, measure
-from footfall.report.capsule_overlap import arm_overlaps
 from footfall.report.track import carrying
 from footfall.skeleton import Skeleton, find_anatomy
+from footfall.skeleton.capsule_overlap import arm_overlaps
 
 FOLDER = Path(__file__).parents[3] / "shared" / "motions"
 needs_clips = pytest.mark.skipif(not FOLDER.exists(), reason="no ../shared/motions")
@@ -96,7 +96,7 @@ def test_motions_on_bodies_in_a_table() -> None:
             shown = None if file is None else load(FOLDER / file)
             found = map_clip(clip, performer, shown)
             result = retarget(clip, performer, found, carries)
-            own = find_anatomy(performer)
+            own = performer_anatomy(clip, found)
             told = measure(clip_trace(result, own, supports))
             assert told.pops is not None
             assert source.pops is not None

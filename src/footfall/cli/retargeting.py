@@ -5,17 +5,18 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Annotated
 
+import numpy as np
 from cyclopts import Parameter
 
 from footfall.cli.inputs import about, origin_of, read_motion
 from footfall.cli.outputs import check_output, save_motion
 from footfall.detection import detect_supports
 from footfall.io.map_file import load_map
-from footfall.motion.retargeting import map_clip
+from footfall.motion.retargeting import map_clip, performer_anatomy
 from footfall.motion.retargeting import retarget as retarget_clip
 from footfall.report import clip_trace
 from footfall.report.contract import contract_of, contract_table
-from footfall.skeleton import find_anatomy
+from footfall.report.track import carrying
 
 __all__ = ["retarget"]
 
@@ -50,11 +51,12 @@ def retarget(
         supports = detect_supports(clip) if known is None else known
     with about(body):
         body_map = map_clip(clip, other.skeleton, other, corrections)
-        result = retarget_clip(clip, other.skeleton, body_map)
+        carries = carrying(supports.supports_at(np.arange(clip.frames) / clip.fps))
+        result = retarget_clip(clip, other.skeleton, body_map, carries)
     save_motion(result, output, supports)
     print(f"{output}: supports {origin_of(known)}: {supports}")
     print(f"  {result.provenance[-1]}")
     for sentence in body_map.reasons:
         print(f"  map: {sentence}")
-    trace = clip_trace(result, find_anatomy(result.skeleton), supports)
+    trace = clip_trace(result, performer_anatomy(clip, body_map), supports)
     print(contract_table(contract_of(trace, result.skeleton)))

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from footfall.arrays import Floats, SmallFloats
-from footfall.engine.packing import PackedClip, pack_clip, pack_standing
+from footfall.engine.packing import PackedClip, carrying_feet, pack_clip, pack_standing
 from footfall.engine.priorities import parse_priority
 from footfall.engine.shelf import Shelf, entry_type
 from footfall.errors import ArgumentError, ClipError, SkeletonError, UnknownNameError
@@ -147,7 +147,7 @@ class MotionLibrary:
         for label, seconds in (("fade_in", fade_in), ("fade_out", fade_out)):
             if not (math.isfinite(seconds) and seconds >= 0.0):
                 raise ArgumentError(f"{label} of {name!r} is {seconds} s; it must be >= 0")
-        clip = self._in_family(name, clip)
+        clip = self._in_family(name, clip, supports)
         _check_supports(name, clip, supports)
         values = parse_priority(priority)
         if not self._actions:
@@ -158,7 +158,7 @@ class MotionLibrary:
         self._actions.append(Action(name, clip, supports, values, fade_in, fade_out, packed))
         return len(self._actions) - 1
 
-    def _in_family(self, name: str, clip: Clip) -> Clip:
+    def _in_family(self, name: str, clip: Clip, supports: SupportSequence) -> Clip:
         """Return a clip on a skeleton of this library's family, its joints in their order."""
         if self._skeleton is None:
             self._skeleton = clip.skeleton
@@ -167,7 +167,7 @@ class MotionLibrary:
         shown = self._actions[0].clip if self._actions else self._neutral
         try:
             body_map = map_clip(clip, self._skeleton, shown)
-            return retarget(clip, self._skeleton, body_map)
+            return retarget(clip, self._skeleton, body_map, carrying_feet(clip, supports))
         except SkeletonError as error:
             raise SkeletonError(
                 f"{name!r} moves another skeleton and cannot be retargeted: {error}"

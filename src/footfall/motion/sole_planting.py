@@ -8,13 +8,15 @@ of air under the foot that leads is more under a larger one, so that it is press
 
 from __future__ import annotations
 
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
 
 from footfall.arrays import Flags, Floats, Positions
+from footfall.geometry import conjugate, from_yaw, rotate
 
-__all__ = ["FootPaths", "planted_offsets"]
+__all__ = ["FootPaths", "cyclic_offsets", "planted_offsets"]
 
 EDGE = 0.06
 """How long a foot still comes at the start of a span, and already goes at its end [s]."""
@@ -56,6 +58,31 @@ class FootPaths(NamedTuple):
 
     carries: Flags
     """Whether the foot carries, shape (frames,)."""
+
+
+def cyclic_offsets(paths: FootPaths, fps: float, yaw: float, shift: Positions) -> Positions:
+    """Return how far to move one foot of a cycle: as `planted_offsets`, ending as it begins.
+
+    Args:
+        paths: Of one cycle, its last frame being the first one of the next.
+        fps: Frames per second.
+        yaw: How far one cycle turns [rad], about the origin.
+        shift: How far it then goes, level [m], shape (3,).
+    """
+    period = len(paths.carries) - 1
+    turn = from_yaw(yaw)
+    if paths.carries.all():
+        offsets = planted_offsets(paths, fps)
+        away = offsets[-1] - rotate(turn, offsets[0])
+        return offsets - np.linspace(-0.5, 0.5, period + 1)[:, np.newaxis] * away
+    leading, own = (
+        np.concatenate(
+            [rotate(conjugate(turn), path - shift)[:-1], path[:-1], rotate(turn, path) + shift]
+        )
+        for path in (paths.leading, paths.own)
+    )
+    carries = np.concatenate([paths.carries[:-1], paths.carries[:-1], paths.carries])
+    return planted_offsets(FootPaths(leading, own, carries), fps)[period : 2 * period + 1]
 
 
 def planted_offsets(paths: FootPaths, fps: float) -> Positions:
@@ -146,7 +173,7 @@ def _level(steps: Floats, spans: list[tuple[int, int]]) -> Floats:
         offsets[start:stop] = way - way.mean(axis=0)
     offsets[: spans[0][0]] = offsets[spans[0][0]]
     offsets[spans[-1][1] :] = offsets[spans[-1][1] - 1]
-    for (_, gone), (come, _) in zip(spans[:-1], spans[1:], strict=True):
+    for (_, gone), (come, _) in pairwise(spans):
         share = _eased(np.arange(1, come - gone + 1) / (come - gone + 1))[:, np.newaxis]
         offsets[gone:come] = (1.0 - share) * offsets[gone - 1] + share * offsets[come]
     return offsets
@@ -157,6 +184,8 @@ def _pressed(air: Floats, spans: list[tuple[int, int]], fps: float) -> Floats:
     most = np.where(air > 0.0, MOST_AIR, MOST_DEPTH)
     pressed = most * np.tanh(air / most)
     rises = np.zeros(len(air))
+    # A frame more at each end: between two frames the foot is down until the span ends.
+    spans = _runs(_widened(spans, len(air)))
     for start, stop in spans:
         rises[start:stop] = (pressed - air)[start:stop]
     reach = LIFT_TIME * fps
@@ -171,3 +200,11 @@ def _pressed(air: Floats, spans: list[tuple[int, int]], fps: float) -> Floats:
             coming = 1.0 - _eased(np.clip((come - places) / reach, 0.0, 1.0))
             rises[gone:come] += rises[come] * coming
     return np.maximum(rises, pressed - air)
+
+
+def _widened(spans: list[tuple[int, int]], frames: int) -> Flags:
+    """Return the frames of spans and those next to them, shape (frames,)."""
+    flags = np.zeros(frames, dtype=np.bool_)
+    for start, stop in spans:
+        flags[max(start - 1, 0) : stop + 1] = True
+    return flags
