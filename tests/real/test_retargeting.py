@@ -115,6 +115,4 @@ def test_motions_on_bodies_in_a_table() -> None:
     met = table <= np.array([5.0, 5.0, 10.0, 2.0, 20.0])
     print(f"rows within the bounds, of {len(table)}: {met.sum(axis=0).tolist()}")
     assert np.isfinite(table).all()
-    assert np.median(table[:, 0]) <= 5.0
-    assert np.median(table[:, 1]) <= 5.0
-    assert table[:, 3].max() <= 2.0
+    assert met.all()

@@ -23,7 +23,7 @@ MARGIN = 0.005
 TURN_TIME = 0.2
 """Time before and after a frame over which a turn of the arm builds up and fades [s]."""
 
-ROUNDS = 6
+ROUNDS = 16
 """How often the arm is looked at again: turning it out of one place may take it into another."""
 
 LONGEST_TURN = 0.5

@@ -176,7 +176,7 @@ def _with_hands(
         theirs = forearm_overlap(clip.skeleton, leader, positions, side)
         if theirs is not None:
             pose = pelvis, local
-            allowed = np.maximum(found.leg_ratio * theirs.depths, 0.0)
+            allowed = np.maximum(min(found.leg_ratio, 1.0) * theirs.depths, 0.0)
             local = clear_arm(found.body, own, side, pose, allowed, clip.fps, clip.cyclic)
     return local
 
