@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from footfall.adaptation.footprints import (
     GRIP_TIME,
+    LIFT_SPEED,
     approach,
     hold_foot,
     release_foot,
@@ -13,6 +14,7 @@ from footfall.adaptation.surfaces import Ground, carry, probe
 from footfall.blending.root import mix_point
 from footfall.compilation import inner_kernel
 from footfall.engine.feet import carries
+from footfall.engine.landing import STEEPEST
 from footfall.engine.record import Character
 from footfall.geometry import quaternions, transforms
 from footfall.skeleton.rig import Rig
@@ -21,6 +23,9 @@ __all__ = ["keep_footprints", "ride"]
 
 LEVEL_SPEED = 10.0
 """Of the spring with which the root follows the ground under its feet [1/s]."""
+
+HIGHEST_OVER = 0.1
+"""Most that it is over the lower of them [m]."""
 
 TILT_TIME = 0.04
 """Time constant with which a sole takes the slope of the ground [s]."""
@@ -34,8 +39,11 @@ AHEAD = 0.1
 GLANCES = 5
 """At how many places on that way."""
 
-STEEPEST = 0.75
-"""Rise per meter beyond which ground under a swinging foot is an edge, and not followed."""
+SINK_SPEED = 40.0
+"""Of the spring that lowers a foot to its place behind the last edge [1/s]."""
+
+UNHURRIED = 6.0
+"""A spring of this many over the time that is left [1] has come to its goal by then."""
 
 
 @inner_kernel
@@ -82,8 +90,8 @@ def keep_footprints(ground: Ground, rig: Rig, me: Character, dt: float) -> None:
             hold_foot(offset, velocity, slide, needed, _grip(me, side), dt)
         else:
             offset[1] += _rise_below(me, side, dt)
-            goal = _highest_ahead(ground, me, side) - me.level[0]
-            release_foot(offset, velocity, goal, needed, dt)
+            goal, speed = _swing_goal(ground, me, side)
+            release_foot(offset, velocity, goal, needed, speed, dt)
     _follow_ground(me, dt)
 
 
@@ -210,13 +218,36 @@ def _highest_ahead(ground: Ground, me: Character, side: int) -> float:
     offset, slope = me.foot_offset[side], me.ground_slope[side]
     below, toe = me.ground_below[side], me.world_points[side, 1]
     highest = 0.0
+    longest = AHEAD
+    if me.landing_time[side] >= 0.0:
+        longest = min(AHEAD, 0.5 * me.landing_time[side])
     for glance in range(1, GLANCES + 1):
-        ahead = AHEAD * glance / GLANCES
+        ahead = longest * glance / GLANCES
         x, z = ahead * me.toe_velocity[side, 0], ahead * me.toe_velocity[side, 1]
         found = probe(ground, toe[0] + offset[0] + x, toe[2] + offset[2] + z, me.clock).height
         even = me.foot_ground[side, 1] + slope[0] * x + slope[1] * z
         highest = max(highest, found - even)
     return below + highest
+
+
+@inner_kernel
+def _swing_goal(
+    ground: Ground, me: Character, side: int
+) -> tuple[tuple[float, float, float], float]:
+    """Return where a swinging foot's offset should go [m], and how fast it goes up or down [1/s].
+
+    It rises at once to a place that is higher, and sinks to a lower one behind the last edge.
+    """
+    highest = _highest_ahead(ground, me, side) - me.level[0]
+    left = me.landing_time[side]
+    if left < 0.0:
+        return (0.0, highest, 0.0), LIFT_SPEED
+    landing = me.landing[side]
+    goal = max(highest, landing[2] - me.level[0])
+    speed = min(UNHURRIED / max(left, 1e-3), LIFT_SPEED)
+    if goal < me.foot_offset[side, 1]:
+        speed = SINK_SPEED
+    return (landing[0], goal, landing[1]), speed
 
 
 @inner_kernel
@@ -230,11 +261,24 @@ def _grip(me: Character, side: int) -> float:
 
 
 @inner_kernel
+def _ground_of(me: Character, side: int) -> float:
+    """Return how high the ground is under a foot, or where it is going to land [m]."""
+    if me.landing_time[side] >= 0.0:
+        return me.landing[side, 2]
+    return 0.5 * (me.foot_ground[side, 0] + me.foot_ground[side, 1])
+
+
+@inner_kernel
 def _follow_ground(me: Character, dt: float) -> None:
-    """Let the root's level follow the ground under both feet."""
-    goal = 0.0
-    for side in range(2):
-        goal += 0.25 * (me.foot_ground[side, 0] + me.foot_ground[side, 1])
+    """Let the root's level follow the ground under both feet, nearer to the lower one.
+
+    So the leg that stands lower reaches: going up, the body rises when that foot is lifted; going
+    down, it sinks before the other one lands.
+    """
+    low, high = _ground_of(me, 0), _ground_of(me, 1)
+    if low > high:
+        low, high = high, low
+    goal = low + min(0.5 * (high - low), HIGHEST_OVER)
     if me.placed:
         me.level[0], me.level[1] = goal, 0.0
         return
