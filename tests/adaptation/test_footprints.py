@@ -7,6 +7,7 @@ from hypothesis import strategies as st
 
 from footfall.adaptation.footprints import (
     GRIP_TIME,
+    LIFT_SPEED,
     LOWER,
     SLOWER,
     approach,
@@ -18,6 +19,9 @@ from footfall.adaptation.footprints import (
 from footfall.arrays import Floats
 
 DT = 1.0 / 60.0
+NOWHERE = (0.0, 0.0, 0.0)
+"""A foot on its way to no particular place."""
+
 numbers = st.floats(-1.0, 1.0)
 times = st.floats(0.0, 0.5)
 

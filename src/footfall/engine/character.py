@@ -9,6 +9,7 @@ from typing import Any
 
 from footfall.adaptation import AnyGround
 from footfall.engine.crowd import Crowd
+from footfall.engine.goal_setting import Goals
 from footfall.engine.inspection import ActionState, action_states, present_schedule
 from footfall.engine.library import MotionLibrary
 from footfall.engine.refusals import Late
@@ -88,6 +89,7 @@ class Character:
             "footprints": footprints,
         }
         self._crowd: Crowd | None = None
+        self._goals: Goals | None = None
 
     @property
     def crowd(self) -> Crowd:
@@ -194,6 +196,17 @@ class Character:
         return action_states(self.crowd)[self.library.index(name)]
 
     @property
+    def goals(self) -> Goals:
+        """What its hands, eyes and seat are to meet after the blend.
+
+        Raises:
+            ArgumentError: If there is no action yet.
+        """
+        if self._goals is None:
+            self._goals = Goals(self.crowd.skeleton, self.library.anatomy)
+        return self._goals
+
+    @property
     def schedule(self) -> Schedule:
         """The slots that are decided: a copy that prints, also in a notebook."""
         return present_schedule(self.crowd)
@@ -224,6 +237,9 @@ class Character:
         crowd = self.crowd
         crowd.advance(dt)
         me = crowd.characters[0]
+        if self._goals is not None:
+            heading = float(me["root"][2])
+            self._goals.meet(heading, dt, crowd.world_rotations[0], crowd.world_positions[0])
         return Frame(
             float(me["clock"]),
             Support(int(me["support"])),

@@ -29,16 +29,19 @@ STEEPEST = 0.75
 FARTHEST = 0.2
 """How far a foot is led from where it would land, at most [m]."""
 
-STEP = 0.015
+STEP = 0.01
 """Between the places that are tried [m]."""
 
 GLANCES = 6
 """At how many places along a sole, less one, edges are looked for."""
 
-MARGINS = ((0.105, 0.0), (0.02, 0.05), (0.005, 0.0))
+MARGINS = ((0.09, 0.02), (0.02, 0.05), (0.015, 0.01))
 """How far behind heel and before toe an edge has to be, in the order in which they are tried
 [m]: well behind the heel where the foot goes down, so that it can sink in time; before the toe
 joint, for the toes; and at last just not under the sole."""
+
+KEPT = (0.01, 0.01)
+"""The same for a place that was found before [m]."""
 
 DOWN = 0.05
 """A place lower than this under the foot that lands leads down [m]."""
@@ -130,7 +133,7 @@ def _nearest_place(
     down = probe(ground, middle[0], middle[1], me.clock).height < me.ground_below[side] - DOWN
     tries = int(FARTHEST / STEP)
     # A place that was found is kept as long as it will do: a foot that hesitates comes to neither.
-    if led != 0.0 and _is_even(ground, me.clock, heel, way, length, led, (0.0, 0.0)):
+    if led != 0.0 and _is_even(ground, me.clock, heel, way, length, led, KEPT):
         return led
     for attempt in range(0 if down else 1, len(MARGINS)):
         margins = MARGINS[attempt]
