@@ -100,8 +100,10 @@ class GoalMemory(NamedTuple):
     @classmethod
     def empty(cls) -> GoalMemory:
         """Return one without goals."""
-        rows = [np.zeros(GOALS) for _ in range(4)]
-        return cls(np.zeros((GOALS, 3)), np.zeros((GOALS, 3)), *rows[:3], np.full(1, -1.0), rows[3])
+        wanted, weights, progress, fades, missed = (np.zeros(GOALS) for _ in range(5))
+        together = np.array([-1.0, 0.0])
+        places = np.zeros((2, GOALS, 3))
+        return cls(*places, wanted, weights, progress, fades, together, missed)
 
 
 def goal_body_of(skeleton: Skeleton, anatomy: Anatomy) -> GoalBody:

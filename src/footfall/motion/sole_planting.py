@@ -74,7 +74,7 @@ def cyclic_offsets(paths: FootPaths, fps: float, yaw: float, shift: Positions) -
     if paths.carries.all():
         offsets = planted_offsets(paths, fps)
         away = offsets[-1] - rotate(turn, offsets[0])
-        return offsets - np.linspace(-0.5, 0.5, period + 1)[:, np.newaxis] * away
+        return offsets - np.linspace(0.0, 1.0, period + 1)[:, np.newaxis] * away
     leading, own = (
         np.concatenate(
             [rotate(conjugate(turn), path - shift)[:-1], path[:-1], rotate(turn, path) + shift]
