@@ -70,7 +70,7 @@ def test_a_goal_fades_in_without_a_jump() -> None:
 def test_a_moving_goal_is_followed_where_it_goes() -> None:
     mine = goals()
     for step in range(60):
-        place = (0.3, 1.3, 0.3 + 0.002 * step)
+        place = (-0.3, 1.3, 0.25 + 0.002 * step)
         mine.reach("right", place)
         _, positions = posed(mine, 1)
     np.testing.assert_allclose(positions[RIGHT], place, atol=1e-6)
@@ -80,10 +80,10 @@ def test_a_goal_that_jumps_is_gone_after_without_a_jump() -> None:
     mine = goals()
     mine.reach("left", IN_REACH)
     posed(mine)
-    mine.reach("left", (0.2, 1.0, 0.45))
+    mine.reach("left", (0.25, 1.15, 0.3))
     path = [posed(mine, 1)[1][LEFT] for _ in range(60)]
     assert np.linalg.norm(path[0] - np.array(IN_REACH)) < 0.08
-    np.testing.assert_allclose(path[-1], (0.2, 1.0, 0.45), atol=1e-3)
+    np.testing.assert_allclose(path[-1], (0.25, 1.15, 0.3), atol=1e-3)
 
 
 def test_hands_that_join_are_as_far_apart_as_told() -> None:
