@@ -113,3 +113,10 @@ def test_a_correction_is_taken_and_a_wrong_one_refused() -> None:
         map_body(HUMAN, other, corrections={"Belly": ("Tail", "Hips", 0.0)})
     with pytest.raises(SkeletonError, match=r"at a fraction of 2; it must be within 0..1$"):
         map_body(HUMAN, other, corrections={"Belly": ("Hips", "Hips", 2.0)})
+
+
+def test_a_clavicle_that_is_folded_at_rest_does_not_turn_the_body() -> None:
+    folded = body(TEXT.replace("RightArm -0.15 0 0", "RightArm 0.02 -0.3 0.1"))
+    axes = rest_axes(folded, find_landmarks(folded, find_anatomy(folded)))
+    left = rotate(axes, np.array([1.0, 0.0, 0.0]))
+    np.testing.assert_allclose(left, [1.0, 0.0, 0.0], atol=1e-9)

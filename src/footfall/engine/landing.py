@@ -44,7 +44,8 @@ KEPT = (0.01, 0.01)
 """The same for a place that was found before [m]."""
 
 DOWN = 0.05
-"""A place lower than this under the foot that lands leads down [m]."""
+"""A place lower than this under the foot that lands leads down [m]; and one that is farther than
+this from where the slope leads is behind an edge."""
 
 
 @inner_kernel
@@ -116,6 +117,16 @@ def _choose_place(ground: Ground, rig: Rig, me: Character, side: int) -> None:
     one = probe(ground, heel[0] + x, heel[1] + z, me.clock).height
     other = probe(ground, toe[0] + x, toe[1] + z, me.clock).height
     landing[2] = 0.5 * (one + other)
+    if x == 0.0 and z == 0.0 and _is_on_the_way(me, side, (toe[0], toe[1]), other):
+        me.landing_time[side] = -1.0
+
+
+@inner_kernel
+def _is_on_the_way(me: Character, side: int, toe: tuple[float, float], height: float) -> bool:
+    """Return whether the slope under a foot leads to where it lands: then nothing is in its way."""
+    place, offset, slope = me.world_points[side, 1], me.foot_offset[side], me.ground_slope[side]
+    rise = slope[0] * (toe[0] - place[0] - offset[0]) + slope[1] * (toe[1] - place[2] - offset[2])
+    return abs(me.foot_ground[side, 1] + rise - height) < DOWN
 
 
 @inner_kernel

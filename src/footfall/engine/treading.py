@@ -24,7 +24,7 @@ __all__ = ["keep_footprints", "ride"]
 LEVEL_SPEED = 10.0
 """Of the spring with which the root follows the ground under its feet [1/s]."""
 
-HIGHEST_OVER = 0.1
+HIGHEST_OVER = 0.13
 """Most that it is over the lower of them [m]."""
 
 TILT_TIME = 0.04
