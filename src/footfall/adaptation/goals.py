@@ -11,28 +11,19 @@ from typing import NamedTuple
 
 import numpy as np
 
-from footfall.arrays import Floats, Indices, Positions, Rotations, Seconds, Weights
+from footfall.adaptation.gaze import look_at
+from footfall.adaptation.goal_body import GoalBody
+from footfall.arrays import Floats, Positions, Rotations, Seconds, Weights
 from footfall.compilation import kernel
-from footfall.geometry import conjugate, quaternions, rotate
-from footfall.skeleton import Anatomy, Skeleton
-from footfall.skeleton.arm_ik import ArmRig, arm_rig_of, reach_end
-from footfall.skeleton.canonical_pose import canonical_rotations
-from footfall.skeleton.landmarks import find_landmarks
-from footfall.skeleton.leg_search import descendants
+from footfall.skeleton.arm_ik import reach_end
 
-__all__ = ["GAZE", "GOALS", "HANDS", "SEAT", "GoalBody", "GoalMemory", "goal_body_of", "meet_goals"]
+__all__ = ["GAZE", "GOALS", "HANDS", "SEAT", "GoalMemory", "meet_goals"]
 
 HANDS, GAZE, SEAT = (0, 1), 2, 3
 """Which row of a memory is whose goal: left and right hand, gaze, seat."""
 
 GOALS = 4
 """How many there are."""
-
-WIDEST_LOOK = math.radians(75.0)
-"""How far the head turns from the chest at most."""
-
-NECK_SHARE = 0.4
-"""How much of that the neck does."""
 
 CATCH_UP = 10.0
 """How fast what a goal jumped by is made up for [1/s]."""
@@ -42,31 +33,6 @@ ARM_BEND = (0.0, -1.0, -0.5)
 
 LEG_BEND = (0.0, 0.0, 1.0)
 """Likewise the knee of a straight leg."""
-
-
-class GoalBody(NamedTuple):
-    """What of a body meets goals."""
-
-    arms: ArmRig
-    """Its arms."""
-
-    legs: ArmRig
-    """Its legs, likewise."""
-
-    chest: int
-    """The joint that the head turns against."""
-
-    neck: int
-    """The joint of the neck, or -1."""
-
-    head: int
-    """The joint of the head, or -1."""
-
-    carried: Indices
-    """2 for what moves with the head, 1 for what else moves with the neck, else 0, (joints,)."""
-
-    forward: Positions
-    """Where chest and head face, in their own frames: unit vectors, shape (2, 3)."""
 
 
 class GoalMemory(NamedTuple):
@@ -101,45 +67,9 @@ class GoalMemory(NamedTuple):
     def empty(cls) -> GoalMemory:
         """Return one without goals."""
         wanted, weights, progress, fades, missed = (np.zeros(GOALS) for _ in range(5))
+        targets, lags = np.zeros((2, GOALS, 3))
         together = np.array([-1.0, 0.0])
-        places = np.zeros((2, GOALS, 3))
-        return cls(*places, wanted, weights, progress, fades, together, missed)
-
-
-def goal_body_of(skeleton: Skeleton, anatomy: Anatomy) -> GoalBody:
-    """Pack what of a body meets goals."""
-    marks = find_landmarks(skeleton, anatomy)
-    canonical = canonical_rotations(skeleton, marks)
-    head = -1 if marks.head is None else marks.head
-    neck = marks.neck[0] if marks.neck else -1
-    carried = np.zeros(skeleton.count, dtype=np.int64)
-    for joint, mark in ((neck, 1), (head, 2)):
-        if joint >= 0:
-            carried[[joint, *descendants(skeleton, joint)]] = mark
-    ahead = np.array([0.0, 0.0, 1.0])
-    faces = [marks.chest, max(head, 0)]
-    return GoalBody(
-        arms=arm_rig_of(skeleton, anatomy),
-        legs=_leg_rig(skeleton, anatomy),
-        chest=marks.chest,
-        neck=neck,
-        head=head,
-        carried=carried,
-        forward=rotate(conjugate(canonical[faces]), ahead),
-    )
-
-
-def _leg_rig(skeleton: Skeleton, anatomy: Anatomy) -> ArmRig:
-    """Return the legs as if they were arms: hip, knee and ankle."""
-    sides = np.full(skeleton.count, -1, dtype=np.int64)
-    segments = np.zeros(skeleton.count, dtype=np.int64)
-    limbs = np.array([[leg.hip, leg.knee, leg.ankle] for leg in anatomy.legs], dtype=np.int64)
-    for side in range(2):
-        own = {int(joint): place + 1 for place, joint in enumerate(limbs[side])}
-        for joint in [int(limbs[side, 0]), *sorted(descendants(skeleton, int(limbs[side, 0])))]:
-            sides[joint] = side
-            segments[joint] = own.get(joint, int(segments[skeleton.parents[joint]]))
-    return ArmRig(limbs, sides, segments)
+        return cls(targets, lags, wanted, weights, progress, fades, together, missed)
 
 
 @kernel
@@ -178,7 +108,8 @@ def meet_goals(
             me.missed[side] = missed
     me.missed[GAZE] = 0.0
     if me.progress[GAZE] > 0.0 and body.head >= 0:
-        _look(body, me, rotations, positions)
+        target, share = _target(me, GAZE), _share(me, GAZE)
+        me.missed[GAZE] = look_at(body, target, share, rotations, positions)
 
 
 @kernel
@@ -243,81 +174,3 @@ def _join_hands(body: GoalBody, me: GoalMemory, positions: Positions) -> None:
                 me.lags[side, axis] += me.targets[side, axis] - goal
             me.targets[side, axis] = goal
     me.together[1] = 0.0
-
-
-@kernel
-def _look(body: GoalBody, me: GoalMemory, rotations: Rotations, positions: Positions) -> None:
-    """Turn neck and head so that the face looks at a target, as far as a neck turns."""
-    head, chest = body.head, rotations[body.chest]
-    tx, ty, tz = _target(me, GAZE)
-    place = positions[head]
-    tx, ty, tz = tx - place[0], ty - place[1], tz - place[2]
-    if tx * tx + ty * ty + tz * tz < 1e-12:
-        return
-    ahead = body.forward[0]
-    cx, cy, cz = quaternions.rotate(
-        chest[0], chest[1], chest[2], chest[3], ahead[0], ahead[1], ahead[2]
-    )
-    w, x, y, z = quaternions.between(cx, cy, cz, tx, ty, tz)
-    angle = 2.0 * math.acos(min(max(w, -1.0), 1.0))
-    me.missed[GAZE] = max(0.0, angle - WIDEST_LOOK)
-    if angle > WIDEST_LOOK:
-        tx, ty, tz = _turned_at_most((cx, cy, cz), (x, y, z))
-    face = rotations[head]
-    ahead = body.forward[1]
-    fx, fy, fz = quaternions.rotate(
-        face[0], face[1], face[2], face[3], ahead[0], ahead[1], ahead[2]
-    )
-    turn = quaternions.between(fx, fy, fz, tx, ty, tz)
-    share = _share(me, GAZE)
-    if body.neck >= 0:
-        _turn_part(body, 1, body.neck, turn, NECK_SHARE * share, rotations, positions)
-        face = rotations[head]
-        fx, fy, fz = quaternions.rotate(
-            face[0], face[1], face[2], face[3], ahead[0], ahead[1], ahead[2]
-        )
-        turn = quaternions.between(fx, fy, fz, tx, ty, tz)
-        share = share * (1.0 - NECK_SHARE) / max(1.0 - NECK_SHARE * share, 1e-9)
-    _turn_part(body, 2, head, turn, share, rotations, positions)
-
-
-@kernel
-def _turned_at_most(
-    ahead: tuple[float, float, float], axis: tuple[float, float, float]
-) -> tuple[float, float, float]:
-    """Return a direction turned about an axis as far as a neck turns."""
-    length = max(math.sqrt(axis[0] ** 2 + axis[1] ** 2 + axis[2] ** 2), 1e-12)
-    sine = math.sin(0.5 * WIDEST_LOOK) / length
-    return quaternions.rotate(
-        math.cos(0.5 * WIDEST_LOOK),
-        sine * axis[0],
-        sine * axis[1],
-        sine * axis[2],
-        ahead[0],
-        ahead[1],
-        ahead[2],
-    )
-
-
-@kernel
-def _turn_part(
-    body: GoalBody,
-    mark: int,
-    pivot: int,
-    turn: tuple[float, float, float, float],
-    share: float,
-    rotations: Rotations,
-    positions: Positions,
-) -> None:
-    """Turn neck or head, and all that it carries, part of the way."""
-    w, x, y, z = quaternions.nlerp(
-        1.0, 0.0, 0.0, 0.0, turn[0], turn[1], turn[2], turn[3], min(max(share, 0.0), 1.0)
-    )
-    px, py, pz = positions[pivot, 0], positions[pivot, 1], positions[pivot, 2]
-    for joint in range(pivot, positions.shape[0]):
-        if body.carried[joint] < mark:
-            continue
-        place, q = positions[joint], rotations[joint]
-        dx, dy, dz = quaternions.rotate(w, x, y, z, place[0] - px, place[1] - py, place[2] - pz)
-        place[0], place[1], place[2] = px + dx, py + dy, pz + dz
-        q[0], q[1], q[2], q[3] = quaternions.product(w, x, y, z, q[0], q[1], q[2], q[3])

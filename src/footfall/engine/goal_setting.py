@@ -9,12 +9,12 @@ from typing import Literal, get_args
 import numpy as np
 import numpy.typing as npt
 
+from footfall.adaptation.goal_body import goal_body_of
 from footfall.adaptation.goals import (
     GAZE,
     HANDS,
     SEAT,
     GoalMemory,
-    goal_body_of,
     meet_goals,
 )
 from footfall.arrays import Positions, Rotations
