@@ -12,8 +12,9 @@ import pytest
 from tests.motion.test_retargeting import ROBOT
 from tests.skeleton.bodies import body
 
+import footfall as ff
 from footfall.detection import clean_and_tell, detect_supports
-from footfall.io import load
+from footfall.io import load, load_skinned, save_gltf
 from footfall.motion.retargeting import map_clip, performer_anatomy, retarget
 from footfall.report import clip_trace, measure
 from footfall.report.track import carrying
@@ -50,7 +51,7 @@ def resized(factor: float, legs: float = 1.0, trunk: float = 1.0) -> Skeleton:
     return Skeleton(names, own.parents, factors * own.rest_offsets, factors * own.tip_offsets)
 
 
-def performers() -> dict[str, tuple[Skeleton, str | None]]:
+def performers(skinned: Skeleton) -> dict[str, tuple[Skeleton, str | None]]:
     """Return bodies, and the file that shows how each moves."""
     others = {
         "cmu16": "snu_vsports/cmu16_15_walk.bvh.gz",
@@ -64,6 +65,8 @@ def performers() -> dict[str, tuple[Skeleton, str | None]]:
         "long legs": (resized(1.0, legs=1.3), None),
         "child": (resized(0.6, legs=0.8, trunk=1.1), None),
         "robot": (body(ROBOT), None),
+        "deepmimic": (load(FOLDER / "deepmimic/humanoid3d_walk.txt.gz").skeleton, None),
+        "skinned": (skinned, None),
     }
     bodies |= {name: (load(FOLDER / file).skeleton, file) for name, file in others.items()}
     return bodies
@@ -71,7 +74,9 @@ def performers() -> dict[str, tuple[Skeleton, str | None]]:
 
 @needs_clips
 @pytest.mark.full
-def test_motions_on_bodies_in_a_table() -> None:
+def test_motions_on_bodies_in_a_table(tmp_path: Path) -> None:
+    save_gltf(ff.sample("walk")[0], tmp_path / "mannequin.glb")
+    skinned = load_skinned(tmp_path / "mannequin.glb").skeleton
     heading = f"{'motion':24}{'body':11}{'drift':>7}{'sinks':>7}{'floats':>7}"
     heading += f"{'pops':>6}{'arms':>6}"
     print(f"\n{heading}   [mm, p95; pops over the source's by size; arms deeper than the source's]")
@@ -92,7 +97,7 @@ def test_motions_on_bodies_in_a_table() -> None:
                 for one in (source.drift, source.penetration, source.floating)
             )
         )
-        for name, (performer, file) in performers().items():
+        for name, (performer, file) in performers(skinned).items():
             shown = None if file is None else load(FOLDER / file)
             found = map_clip(clip, performer, shown)
             result = retarget(clip, performer, found, carries)
