@@ -7,6 +7,7 @@ from hypothesis import strategies as st
 
 from footfall.adaptation.footprints import (
     GRIP_TIME,
+    LIFT_SPEED,
     LOWER,
     SLOWER,
     approach,
@@ -18,6 +19,9 @@ from footfall.adaptation.footprints import (
 from footfall.arrays import Floats
 
 DT = 1.0 / 60.0
+NOWHERE = (0.0, 0.0, 0.0)
+"""A foot on its way to no particular place."""
+
 numbers = st.floats(-1.0, 1.0)
 times = st.floats(0.0, 0.5)
 
@@ -93,7 +97,7 @@ def test_a_released_foot_goes_on_without_a_jump_and_comes_back() -> None:
     offset, velocity = np.array([0.05, 0.0, 0.0]), np.array([0.2, 0.0, 0.0])
     path = [0.05]
     for _ in range(60):
-        release_foot(offset, velocity, 0.0, -0.1, DT)
+        release_foot(offset, velocity, NOWHERE, -0.1, LIFT_SPEED, DT)
         path.append(float(offset[0]))
     # A spring of 14 /s accelerates by at most 14² times how far it is, and twice 14 its speed.
     assert np.abs(np.diff(path, n=2) / DT**2).max() < 14.0**2 * 0.06 + 28.0 * 0.2
@@ -102,7 +106,7 @@ def test_a_released_foot_goes_on_without_a_jump_and_comes_back() -> None:
 
 def test_a_swinging_foot_is_not_let_below_the_ground() -> None:
     offset, velocity = np.array([0.0, -0.03, 0.0]), np.array([0.0, -1.0, 0.0])
-    release_foot(offset, velocity, 0.0, -0.01, DT)
+    release_foot(offset, velocity, NOWHERE, -0.01, LIFT_SPEED, DT)
     assert offset[1] == -0.01
     assert velocity[1] >= 0.0
 
@@ -110,14 +114,14 @@ def test_a_swinging_foot_is_not_let_below_the_ground() -> None:
 def test_a_swinging_foot_is_raised_over_what_lies_ahead() -> None:
     offset, velocity = still()
     for _ in range(30):
-        release_foot(offset, velocity, 0.18, -1.0, DT)
+        release_foot(offset, velocity, (0.0, 0.18, 0.0), -1.0, LIFT_SPEED, DT)
     assert offset[1] == pytest.approx(0.18, abs=0.001)
 
 
 def test_without_time_nothing_is_divided_by_it() -> None:
     offset, velocity = still()
     hold_foot(offset, velocity, (0.001, 0.0), 0.01, 1.0, 0.0)
-    release_foot(offset, velocity, 0.0, 0.0, 0.0)
+    release_foot(offset, velocity, NOWHERE, 0.0, LIFT_SPEED, 0.0)
     assert np.isfinite(offset).all()
     assert np.isfinite(velocity).all()
     assert GRIP_TIME > 0.0

@@ -83,6 +83,14 @@ GROUNDS: dict[str, AnyGround] = {
     "down 20 degrees": Plane(0.0, (0.0, -TWENTY)),
     "across 15 degrees": Plane(0.0, (FIFTEEN, 0.0)),
     "hills": hilly(),
+    "up stairs": Terrain((Plane(), Stairs((0.0, 0.0, 1.0), 10))),
+    "down stairs": Terrain(
+        (
+            Platform((0.0, 0.0, -4.0), (9.0, 10.0)),
+            Stairs((0.0, 0.0, 1.0), 10, rise=-0.18),
+            Plane(-1.8),
+        )
+    ),
     "a platform at half a meter a second": Platform((0, 0, 0), (90, 90), way=(0.5, 0.0, 0.0)),
     "a platform that rises and sinks": Platform((0, 0, 0), (90, 90), (0.0, 0.1, 0.1), 2.0),
     "a turntable": Platform((0, 0, 1), (90, 90), turning=math.radians(30.0)),
@@ -95,18 +103,13 @@ def test_planted_feet_stay_on_whatever_they_stand(name: str, resting: Floats) ->
     drift, penetration, floating = (
         spread.overall.p95 for spread in (report.drift, report.penetration, report.floating)
     )
+    print(f"{name}: drift {drift:.1f}, penetration {penetration:.1f}, float {floating:.1f} mm p95")
     assert drift is not None
     assert drift <= 5.0
     assert penetration is not None
     assert penetration <= 5.0
     assert floating is not None
     assert floating <= 10.0
-
-
-def test_feet_climb_stairs_and_hold(resting: Floats) -> None:
-    report = measured(Terrain((Plane(), Stairs((0.0, 0.0, 1.0), 10))), resting)
-    assert report.drift.overall.p95 is not None
-    assert report.drift.overall.p95 <= 5.0
 
 
 def test_the_body_goes_where_the_ground_leads() -> None:

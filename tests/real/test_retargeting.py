@@ -12,12 +12,14 @@ import pytest
 from tests.motion.test_retargeting import ROBOT
 from tests.skeleton.bodies import body
 
+import footfall as ff
 from footfall.detection import clean_and_tell, detect_supports
-from footfall.io import load
-from footfall.motion.retargeting import map_clip, retarget
+from footfall.io import load, load_skinned, save_gltf
+from footfall.motion.retargeting import map_clip, performer_anatomy, retarget
 from footfall.report import clip_trace, measure
-from footfall.report.capsule_overlap import arm_overlaps
+from footfall.report.track import carrying
 from footfall.skeleton import Skeleton, find_anatomy
+from footfall.skeleton.capsule_overlap import arm_overlaps
 
 FOLDER = Path(__file__).parents[3] / "shared" / "motions"
 needs_clips = pytest.mark.skipif(not FOLDER.exists(), reason="no ../shared/motions")
@@ -49,7 +51,7 @@ def resized(factor: float, legs: float = 1.0, trunk: float = 1.0) -> Skeleton:
     return Skeleton(names, own.parents, factors * own.rest_offsets, factors * own.tip_offsets)
 
 
-def performers() -> dict[str, tuple[Skeleton, str | None]]:
+def performers(skinned: Skeleton) -> dict[str, tuple[Skeleton, str | None]]:
     """Return bodies, and the file that shows how each moves."""
     others = {
         "cmu16": "snu_vsports/cmu16_15_walk.bvh.gz",
@@ -63,6 +65,8 @@ def performers() -> dict[str, tuple[Skeleton, str | None]]:
         "long legs": (resized(1.0, legs=1.3), None),
         "child": (resized(0.6, legs=0.8, trunk=1.1), None),
         "robot": (body(ROBOT), None),
+        "deepmimic": (load(FOLDER / "deepmimic/humanoid3d_walk.txt.gz").skeleton, None),
+        "skinned": (skinned, None),
     }
     bodies |= {name: (load(FOLDER / file).skeleton, file) for name, file in others.items()}
     return bodies
@@ -70,7 +74,9 @@ def performers() -> dict[str, tuple[Skeleton, str | None]]:
 
 @needs_clips
 @pytest.mark.full
-def test_motions_on_bodies_in_a_table() -> None:
+def test_motions_on_bodies_in_a_table(tmp_path: Path) -> None:
+    save_gltf(ff.sample("walk")[0], tmp_path / "mannequin.glb")
+    skinned = load_skinned(tmp_path / "mannequin.glb").skeleton
     heading = f"{'motion':24}{'body':11}{'drift':>7}{'sinks':>7}{'floats':>7}"
     heading += f"{'pops':>6}{'arms':>6}"
     print(f"\n{heading}   [mm, p95; pops over the source's by size; arms deeper than the source's]")
@@ -80,6 +86,8 @@ def test_motions_on_bodies_in_a_table() -> None:
         anatomy = find_anatomy(clip.skeleton)
         supports = detect_supports(clip, anatomy)
         clip = clean_and_tell(clip, supports, anatomy).clip
+        times = np.arange(clip.frames) / clip.fps
+        carries = carrying(supports.supports_at(times))
         source = measure(clip_trace(clip, anatomy, supports))
         deep = arm_overlaps(clip.skeleton, anatomy, clip.world_poses()[1]).max()
         print(f"{motion.split('/')[1]:24}{'(source)':11}", end="")
@@ -89,11 +97,11 @@ def test_motions_on_bodies_in_a_table() -> None:
                 for one in (source.drift, source.penetration, source.floating)
             )
         )
-        for name, (performer, file) in performers().items():
+        for name, (performer, file) in performers(skinned).items():
             shown = None if file is None else load(FOLDER / file)
             found = map_clip(clip, performer, shown)
-            result = retarget(clip, performer, found)
-            own = find_anatomy(performer)
+            result = retarget(clip, performer, found, carries)
+            own = performer_anatomy(clip, found)
             told = measure(clip_trace(result, own, supports))
             assert told.pops is not None
             assert source.pops is not None
@@ -112,6 +120,4 @@ def test_motions_on_bodies_in_a_table() -> None:
     met = table <= np.array([5.0, 5.0, 10.0, 2.0, 20.0])
     print(f"rows within the bounds, of {len(table)}: {met.sum(axis=0).tolist()}")
     assert np.isfinite(table).all()
-    assert np.median(table[:, 0]) <= 5.0
-    assert np.median(table[:, 1]) <= 5.0
-    assert table[:, 3].max() <= 2.0
+    assert met.all()

@@ -6,9 +6,9 @@ import numpy as np
 from tests.walking_figure import anatomy, skeleton, walk
 
 from footfall.report import clip_trace
-from footfall.report.capsule_overlap import arm_overlaps
 from footfall.report.contract import SpanContract, contract_of, contract_table
 from footfall.skeleton import find_anatomy
+from footfall.skeleton.capsule_overlap import arm_overlaps
 from footfall.support import SupportSequence
 
 STANCE = 36

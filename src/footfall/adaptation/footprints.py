@@ -13,6 +13,8 @@ from footfall.arrays import Positions
 from footfall.compilation import kernel
 
 __all__ = [
+    "GRIP_TIME",
+    "LIFT_SPEED",
     "ROLL_TIME",
     "SPEED_TIME",
     "approach",
@@ -111,20 +113,28 @@ def hold_foot(
 
 @kernel
 def release_foot(
-    offset: Positions, velocity: Positions, goal: float, least: float, dt: float
+    offset: Positions,
+    velocity: Positions,
+    goal: tuple[float, float, float],
+    least: float,
+    lift: float,
+    dt: float,
 ) -> None:
-    """Take a swinging foot's offset back; arguments as in `hold_foot`.
+    """Take a swinging foot's offset to where it should be; arguments as in `hold_foot`.
 
     Args:
         offset: Updated, shape (3,) [m].
         velocity: Updated, shape (3,) [m/s].
-        goal: How far it should be raised [m]: 0 over level ground.
+        goal: What it should be [m]: 0 over level ground, on the way to no particular place.
         least: How far it has to be raised at least, not to be under the ground [m].
+        lift: Speed of the spring that raises or lowers it [1/s].
         dt: Time step [s].
     """
-    for axis in (0, 2):
-        offset[axis], velocity[axis] = spring(offset[axis], velocity[axis], 0.0, RELEASE_SPEED, dt)
-    offset[1], velocity[1] = spring(offset[1], velocity[1], goal, LIFT_SPEED, dt)
+    for axis, place in ((0, goal[0]), (2, goal[2])):
+        offset[axis], velocity[axis] = spring(
+            offset[axis], velocity[axis], place, RELEASE_SPEED, dt
+        )
+    offset[1], velocity[1] = spring(offset[1], velocity[1], goal[1], lift, dt)
     if offset[1] < least:
         offset[1] = least
         velocity[1] = max(velocity[1], 0.0)

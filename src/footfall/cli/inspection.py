@@ -10,8 +10,12 @@ import numpy as np
 from cyclopts import Parameter
 
 from footfall.cli.inputs import Known, about, read_motion
-from footfall.detection import detect_limb_supports, detect_supports, hands_on_the_ground
-from footfall.errors import ArgumentError, FootfallError
+from footfall.detection import (
+    detect_limb_supports,
+    detect_supports,
+    hands_on_the_ground,
+)
+from footfall.errors import ArgumentError, FootfallError, SkeletonError
 from footfall.io import (
     Conclusions,
     gltf_animations,
@@ -23,9 +27,12 @@ from footfall.io import (
 from footfall.io.clip_choice import CHOOSING
 from footfall.motion import Clip
 from footfall.skeleton import find_anatomy
+from footfall.skeleton.landmarks import landmark_sentences
 from footfall.support import Support, SupportSequence
 
 __all__ = ["detect", "info"]
+
+BODY_PARTS_WIDTH = len("right clavicle")
 
 
 def info(file: str, /, *, json: bool = False, known: Known | None = None) -> None:
@@ -54,8 +61,19 @@ def info(file: str, /, *, json: bool = False, known: Known | None = None) -> Non
     for name, reason in sentences:
         print(f"  {name:<{width}}  {reason}")
     print(f"  {'joints':<{width}}  {', '.join(clip.skeleton.names)}")
+    print("body map, by which motions of other bodies are played on this one:")
+    for name, sentence in _body_map(clip):
+        print(f"  {name:<{BODY_PARTS_WIDTH}}  {sentence}")
     if len(animations) > 1:
         print(f"  {'animations':<{width}}  {', '.join(animations)}")
+
+
+def _body_map(clip: Clip) -> tuple[tuple[str, str], ...]:
+    """Return what each landmark of a body is and why, or why there are none."""
+    try:
+        return landmark_sentences(clip.skeleton)
+    except SkeletonError as error:
+        return (("refused", str(error)),)
 
 
 def _animations(file: str) -> tuple[str, ...]:
@@ -85,6 +103,7 @@ def _info_json(
         if feet is None
         else {side: leg._asdict() for side, leg in zip(("left", "right"), feet, strict=True)},
         "hands": _hands(clip),
+        "body_map": [list(sentence) for sentence in _body_map(clip)],
         "animations": list(animations),
         "reasons": dict(conclusions.sentences()),
     }

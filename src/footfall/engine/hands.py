@@ -21,7 +21,7 @@ from footfall.engine.hand_record import FREE, HOLDS, REACHES, Hand
 from footfall.engine.record import Character
 from footfall.geometry import quaternions
 from footfall.skeleton.anatomy import Anatomy
-from footfall.skeleton.arm_ik import BEND, ArmRig, reach_wrist
+from footfall.skeleton.arm_ik import BEND, ArmRig, reach_end
 from footfall.skeleton.skeleton import Skeleton
 from footfall.skeleton.two_bone_ik import Vector
 
@@ -118,7 +118,7 @@ def _move_hand(
         positions[wrist, 2] + weight * (target[2] - positions[wrist, 2]),
     )
     near = _softened(palms, side, target, positions)
-    reach_wrist(palms.arms, side, near, weight, rotations, positions, bend)
+    reach_end(palms.arms, side, near, weight, bend, rotations, positions)
     hand.palm[0] = positions[wrist, 0] + ox
     hand.palm[1] = positions[wrist, 1] + oy
     hand.palm[2] = positions[wrist, 2] + oz

@@ -10,7 +10,7 @@ import numpy as np
 from footfall.actions import GaitCycle, Locomotion
 from footfall.arrays import Floats, SmallFloats
 from footfall.engine.action import Action, check_supports, entries_of
-from footfall.engine.packing import PackedClip, pack_clip, pack_standing
+from footfall.engine.packing import PackedClip, carrying_feet, pack_clip, pack_standing
 from footfall.engine.priorities import parse_priority
 from footfall.engine.shelf import Shelf
 from footfall.errors import ArgumentError, SkeletonError, UnknownNameError
@@ -186,7 +186,7 @@ class MotionLibrary:
             clip: Of any family.
             supports: What it stands on.
         """
-        clip = self._in_family(label, clip)
+        clip = self._in_family(label, clip, supports)
         check_supports(label, clip, supports)
         if self._standing is None:
             self._anatomy = with_soles(self.anatomy, *clip.world_poses())
@@ -195,7 +195,7 @@ class MotionLibrary:
             self._stand_like(packed)
         return clip, packed
 
-    def _in_family(self, label: str, clip: Clip) -> Clip:
+    def _in_family(self, label: str, clip: Clip, supports: SupportSequence) -> Clip:
         """Return a clip on a skeleton of this library's family, its joints in their order."""
         if self._skeleton is None:
             self._skeleton = clip.skeleton
@@ -204,7 +204,7 @@ class MotionLibrary:
         shown = self._actions[0].clip if self._actions else self._neutral
         try:
             body_map = map_clip(clip, self._skeleton, shown)
-            return retarget(clip, self._skeleton, body_map)
+            return retarget(clip, self._skeleton, body_map, carrying_feet(clip, supports))
         except SkeletonError as error:
             raise SkeletonError(
                 f"{label} moves another skeleton and cannot be retargeted: {error}"

@@ -14,7 +14,7 @@ from footfall.skeleton.normalized import ANKLES, channel_count, normalize
 from footfall.skeleton.rig import Rig, rig_of
 from footfall.support import SupportSequence
 
-__all__ = ["PackedClip", "pack_clip", "pack_standing"]
+__all__ = ["PackedClip", "carrying_feet", "pack_clip", "pack_standing"]
 
 RESTING_SHARE = 15.0
 """Percentile of a foot point's heights, while the foot carries, that is its height at rest:
@@ -52,7 +52,7 @@ def pack_clip(clip: Clip, anatomy: Anatomy, supports: SupportSequence) -> Packed
     """
     rotations, positions = clip.world_poses()
     rig = rig_of(clip.skeleton, anatomy)
-    carried = _carrying_feet(clip, supports)
+    carried = carrying_feet(clip, supports)
     resting = _resting_heights(rig, rotations, positions, carried)
     floor = float(resting.min(axis=1).mean())
     path = extract_root_path(clip, anatomy)
@@ -69,7 +69,7 @@ def pack_clip(clip: Clip, anatomy: Anatomy, supports: SupportSequence) -> Packed
     )
 
 
-def _carrying_feet(clip: Clip, supports: SupportSequence) -> Flags:
+def carrying_feet(clip: Clip, supports: SupportSequence) -> Flags:
     """Return whether each foot carries in each frame, shape (frames, 2)."""
     phases = [supports.support_at(frame / clip.fps) for frame in range(clip.frames)]
     return np.array([(support.left, support.right) for support in phases])

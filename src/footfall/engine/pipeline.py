@@ -17,6 +17,7 @@ from footfall.compilation import inlined_kernel, kernel
 from footfall.engine.clock import pass_time
 from footfall.engine.feet import locate_feet, stand_where_planted
 from footfall.engine.flight import fly
+from footfall.engine.landing import foresee_landings
 from footfall.engine.placing import place_body, write_world
 from footfall.engine.pose import blend_poses, move_root
 from footfall.engine.record import Character
@@ -55,7 +56,8 @@ def _advance_row(
     #    or toe that carries stays.
     ride(ground, me, dt)
     move_root(shelf, rig, me, dt)
-    # 7. The footprints: what was planted is held, what is lifted is let go.
+    # 7. Where feet will land; the footprints: what was planted is held, what is lifted is let go.
+    foresee_landings(shelf, ground, rig, me)
     keep_footprints(ground, rig, me, dt)
     # 8. This body's lengths; the legs reach for their footprints.
     place_body(shelf, rig, me, work, dt)

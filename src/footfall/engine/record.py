@@ -58,6 +58,17 @@ class Character:
     carried: Annotated[Positions, 2, 3]
     """How far the surfaces under the feet have taken them since the beginning [m], (2, 3)."""
 
+    landing: Annotated[Floats, 2, 3]
+    """How far each swinging foot is led from where it would land, x and z, and how high the ground
+    is there [m], shape (2, 3)."""
+
+    landing_time: Annotated[Seconds, 2]
+    """How long until it lands [s]; -1 where that is not foreseen, shape (2,)."""
+
+    foreseen_points: Annotated[Positions, 2, 2, 2, 3]
+    """Heel and toe of each foot at the end of the slot, relative to the root, in leg lengths: of
+    the blend, and of one motion, shape (2, 2, 2, 3)."""
+
     toe_velocity: Annotated[Floats, 2, 2]
     """How fast the blended toes go over the ground, x and z [m/s], shape (2, 2)."""
 

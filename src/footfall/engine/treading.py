@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 from footfall.adaptation.footprints import (
     GRIP_TIME,
     approach,
@@ -14,6 +16,7 @@ from footfall.blending.root import mix_point
 from footfall.compilation import inner_kernel
 from footfall.engine.feet import carries
 from footfall.engine.record import Character
+from footfall.engine.swinging import rise_below, swing_goal
 from footfall.geometry import quaternions, transforms
 from footfall.skeleton.rig import Rig
 
@@ -22,20 +25,17 @@ __all__ = ["keep_footprints", "ride"]
 LEVEL_SPEED = 10.0
 """Of the spring with which the root follows the ground under its feet [1/s]."""
 
+HIGHEST_OVER = 0.1
+"""Most that it is over the lower of them, on level treads [m]."""
+
+HIGHER_ON_SLOPES = 0.2
+"""How much more that is for each meter that the ground rises per meter [m]."""
+
 TILT_TIME = 0.04
 """Time constant with which a sole takes the slope of the ground [s]."""
 
 TILT_HEIGHT = 0.08
 """Height over the ground from which a swinging foot is not tilted [m]."""
-
-AHEAD = 0.1
-"""How far ahead a swinging foot looks for what it has to clear [s]."""
-
-GLANCES = 5
-"""At how many places on that way."""
-
-STEEPEST = 0.75
-"""Rise per meter beyond which ground under a swinging foot is an edge, and not followed."""
 
 
 @inner_kernel
@@ -81,9 +81,9 @@ def keep_footprints(ground: Ground, rig: Rig, me: Character, dt: float) -> None:
             slide = (slide_x - dx, slide_z - dz)
             hold_foot(offset, velocity, slide, needed, _grip(me, side), dt)
         else:
-            offset[1] += _rise_below(me, side, dt)
-            goal = _highest_ahead(ground, me, side) - me.level[0]
-            release_foot(offset, velocity, goal, needed, dt)
+            offset[1] += rise_below(me, side, dt)
+            goal, speed = swing_goal(ground, me, side)
+            release_foot(offset, velocity, goal, needed, speed, dt)
     _follow_ground(me, dt)
 
 
@@ -192,34 +192,6 @@ def _needed_height(rig: Rig, me: Character, side: int) -> float:
 
 
 @inner_kernel
-def _rise_below(me: Character, side: int, dt: float) -> float:
-    """Return how far the ground has risen under a swinging foot in this step [m], edges apart."""
-    below = 0.5 * (me.foot_ground[side, 0] + me.foot_ground[side, 1])
-    rise = below - me.ground_below[side]
-    me.ground_below[side] = below
-    vx, vz = me.toe_velocity[side]
-    return rise if rise * rise <= STEEPEST * STEEPEST * (vx * vx + vz * vz) * dt * dt else 0.0
-
-
-@inner_kernel
-def _highest_ahead(ground: Ground, me: Character, side: int) -> float:
-    """Return how high the ground is under a swinging foot, edges ahead of it included [m].
-
-    An even slope is no obstacle: what counts is by how much it rises beyond that.
-    """
-    offset, slope = me.foot_offset[side], me.ground_slope[side]
-    below, toe = me.ground_below[side], me.world_points[side, 1]
-    highest = 0.0
-    for glance in range(1, GLANCES + 1):
-        ahead = AHEAD * glance / GLANCES
-        x, z = ahead * me.toe_velocity[side, 0], ahead * me.toe_velocity[side, 1]
-        found = probe(ground, toe[0] + offset[0] + x, toe[2] + offset[2] + z, me.clock).height
-        even = me.foot_ground[side, 1] + slope[0] * x + slope[1] * z
-        highest = max(highest, found - even)
-    return below + highest
-
-
-@inner_kernel
 def _grip(me: Character, side: int) -> float:
     """Return how firmly a carrying foot is held: less where its span begins or ends."""
     grip = min(1.0, me.planted_time[side] / GRIP_TIME)
@@ -230,11 +202,28 @@ def _grip(me: Character, side: int) -> float:
 
 
 @inner_kernel
+def _ground_of(me: Character, side: int) -> float:
+    """Return how high the ground is under a foot, or where it is going to land [m]."""
+    if me.landing_time[side] >= 0.0:
+        return me.landing[side, 2]
+    return 0.5 * (me.foot_ground[side, 0] + me.foot_ground[side, 1])
+
+
+@inner_kernel
 def _follow_ground(me: Character, dt: float) -> None:
-    """Let the root's level follow the ground under both feet."""
-    goal = 0.0
+    """Let the root's level follow the ground under both feet, nearer to the lower one.
+
+    So the leg that stands lower reaches: going up, the body rises when that foot is lifted; going
+    down, it sinks before the other one lands.
+    """
+    low, high = _ground_of(me, 0), _ground_of(me, 1)
+    if low > high:
+        low, high = high, low
+    steepest = 0.0
     for side in range(2):
-        goal += 0.25 * (me.foot_ground[side, 0] + me.foot_ground[side, 1])
+        slope = me.ground_slope[side]
+        steepest = max(steepest, math.sqrt(slope[0] * slope[0] + slope[1] * slope[1]))
+    goal = low + min(0.5 * (high - low), HIGHEST_OVER + HIGHER_ON_SLOPES * steepest)
     if me.placed:
         me.level[0], me.level[1] = goal, 0.0
         return

@@ -11,8 +11,8 @@ import numpy as np
 from footfall.arrays import Floats, Positions, Rotations
 from footfall.geometry import blend_rotations, conjugate, multiply, rotate
 from footfall.motion.clip import Clip
-from footfall.motion.soles import FLAT_SHARE
-from footfall.skeleton import Anatomy, Arm, Leg, leg_length
+from footfall.motion.soles import flat_frames
+from footfall.skeleton import Anatomy, Arm, Leg
 from footfall.skeleton.canonical_pose import LimbAttitudes
 from footfall.skeleton.landmarks import Landmarks, find_landmarks
 
@@ -23,9 +23,6 @@ LEAST_BEND = 0.15
 
 LEAST_AGREEMENT = 0.85
 """Length of the mean of unit vectors above which they agree: within about 32°."""
-
-LEAST_HEIGHT = 0.5
-"""A body stands where its pelvis is this much of a leg's length over a flat foot."""
 
 
 def observe_attitudes(clip: Clip, anatomy: Anatomy) -> LimbAttitudes:
@@ -47,8 +44,7 @@ def observe_attitudes(clip: Clip, anatomy: Anatomy) -> LimbAttitudes:
         if arm is not None:
             hinges[0, side] = _hinge(_arm_joints(arm), rotations, positions)
         hinges[1, side] = _hinge((leg.hip, leg.knee, leg.ankle), rotations, positions)
-        least = LEAST_HEIGHT * leg_length(clip.skeleton, leg)
-        soles[side], toes[side] = _flat_foot(leg, rotations, positions, least)
+        soles[side], toes[side] = _flat_foot(leg, rotations, positions)
     return LimbAttitudes(hinges, soles, toes, ups)
 
 
@@ -92,14 +88,10 @@ def _unit(vectors: Positions) -> Positions:
     return vectors / np.maximum(np.linalg.norm(vectors, axis=-1, keepdims=True), 1e-9)
 
 
-def _flat_foot(
-    leg: Leg, rotations: Rotations, positions: Positions, least: float
-) -> tuple[Floats, Rotations]:
+def _flat_foot(leg: Leg, rotations: Rotations, positions: Positions) -> tuple[Floats, Rotations]:
     """Return straight down in the ankle's frame, and the toes' turn, while a foot is flat."""
     unknown = np.zeros(3), np.zeros(4)
-    heights = positions[:, leg.ankle, 1]
-    flat = heights <= np.percentile(heights, FLAT_SHARE)
-    flat &= positions[:, 0, 1] - heights > least
+    flat = flat_frames(leg, positions)
     if not flat.any():
         return unknown
     down = rotate(conjugate(rotations[flat, leg.ankle]), np.array([0.0, -1.0, 0.0]))

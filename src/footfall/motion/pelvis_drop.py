@@ -6,6 +6,7 @@ import numpy as np
 
 from footfall.arrays import Floats, Positions, Rotations
 from footfall.motion.leg_placement import IN_PLACE
+from footfall.motion.smooth_cover import covered
 from footfall.skeleton import Anatomy, Skeleton, leg_length, world_poses
 from footfall.skeleton.two_bone_ik import SOFT_REACH
 
@@ -52,16 +53,6 @@ def pelvis_drops(
         level = np.minimum(np.hypot(apart[:, 0], apart[:, 2]), reach)
         height = np.sqrt(reach**2 - level**2)
         needed = np.maximum(needed, apart[:, 1] - height)
-    return _envelope(needed, max(1, round(DROP_TIME * fps)), cyclic)
-
-
-def _envelope(needed: Floats, reach: int, cyclic: bool) -> Floats:
-    """Return a smooth curve that is nowhere below another one."""
     if needed.max() < IN_PLACE:
         return np.zeros(len(needed))
-    ring = needed[:-1] if cyclic else needed
-    padded = np.pad(ring, 2 * reach, mode="wrap" if cyclic else "edge")
-    windows = np.lib.stride_tricks.sliding_window_view(padded, 2 * reach + 1)
-    weights = np.hanning(2 * reach + 3)[1:-1]
-    smooth = np.convolve(windows.max(axis=-1), weights / weights.sum(), mode="valid")
-    return np.append(smooth, smooth[0]) if cyclic else smooth
+    return covered(needed, max(1, round(DROP_TIME * fps)), cyclic)

@@ -16,7 +16,7 @@ from footfall.skeleton.anatomy import Anatomy, Arm
 from footfall.skeleton.skeleton import Skeleton
 from footfall.skeleton.two_bone_ik import Vector, reach_point, turn_about
 
-__all__ = ["BEND", "ArmRig", "arm_rig_of", "reach_wrist"]
+__all__ = ["BEND", "ArmRig", "arm_rig_of", "reach_end", "reach_wrist"]
 
 UPPER, LOWER, HAND = 1, 2, 3
 """Values of `ArmRig.segments`."""
@@ -68,29 +68,44 @@ def reach_wrist(
     weight: float,
     rotations: Rotations,
     positions: Positions,
-    bend: Vector = BEND,
 ) -> float:
-    """Turn one arm so that its wrist goes towards a target.
+    """Turn one arm of a body that faces +z so that its wrist goes towards a target.
+
+    Arguments and what is returned as of `reach_end`.
+    """
+    return reach_end(arms, side, target, weight, BEND, rotations, positions)
+
+
+@kernel
+def reach_end(
+    limbs: ArmRig,
+    side: int,
+    target: Vector,
+    weight: float,
+    bend: Vector,
+    rotations: Rotations,
+    positions: Positions,
+) -> float:
+    """Turn one limb so that its end goes towards a target; hand or foot keeps its attitude.
 
     A target out of reach is approached softly. An arm that is not there stays away.
 
     Args:
-        arms: The arms of the body.
-        side: 0 for the left arm, 1 for the right one.
-        target: Where the wrist should be, in the frame of the positions, which faces +z [m].
+        limbs: The arms of the body, or its legs packed alike.
+        side: 0 for the left one, 1 for the right one.
+        target: Where the end should be, in the frame of the positions [m].
         weight: How much of the way it goes, 0 to 1.
-        rotations: All joints, shape (joints, 4); the arm's are rewritten.
+        bend: Where the middle of a straight limb goes when it bends.
+        rotations: All joints, shape (joints, 4); the limb's are rewritten.
         positions: All joints [m], shape (joints, 3); likewise.
-        bend: Where the elbow of a straight arm goes, in the frame of the positions; where that
-            does not face +z, another one than by default.
 
     Returns:
-        How far the wrist then is from where the weight would have it [m].
+        How far the end then is from where the weight would have it [m].
     """
-    shoulder, elbow, wrist = arms.limbs[side, 0], arms.limbs[side, 1], arms.limbs[side, 2]
+    shoulder, elbow, wrist = limbs.limbs[side, 0], limbs.limbs[side, 1], limbs.limbs[side, 2]
     if shoulder < 0 or weight <= 0.0:
         return 0.0
-    old = positions[wrist, 0], positions[wrist, 1], positions[wrist, 2]
+    old = (positions[wrist, 0], positions[wrist, 1], positions[wrist, 2])
     goal = (
         old[0] + weight * (target[0] - old[0]),
         old[1] + weight * (target[1] - old[1]),
@@ -99,12 +114,12 @@ def reach_wrist(
     start = (positions[shoulder, 0], positions[shoulder, 1], positions[shoulder, 2])
     middle = (positions[elbow, 0], positions[elbow, 1], positions[elbow, 2])
     upper, lower, bent, end = reach_point(start, middle, old, goal, bend)
-    for joint in range(shoulder, arms.sides.shape[0]):
-        if arms.sides[joint] != side:
+    for joint in range(shoulder, limbs.sides.shape[0]):
+        if limbs.sides[joint] != side:
             continue
-        if arms.segments[joint] == UPPER:
+        if limbs.segments[joint] == UPPER:
             turn_about(joint, upper, start, start, rotations, positions)
-        elif arms.segments[joint] == LOWER:
+        elif limbs.segments[joint] == LOWER:
             turn_about(joint, lower, middle, bent, rotations, positions)
         else:
             for axis in range(3):

@@ -105,7 +105,7 @@ def rest_axes(skeleton: Skeleton, landmarks: Landmarks) -> Rotations:
     if len(shoulders) == 2:
         between = shoulders[0] - shoulders[1]
         # Clavicles that are astray at rest say nothing of where left is.
-        sideways = sideways + between if float(sideways @ between) > 0.0 else sideways
+        sideways = sideways + between if _agree(sideways, between) else sideways
         top = 0.5 * (shoulders[0] + shoulders[1])
     else:
         top = places[landmarks.head if landmarks.head is not None else landmarks.chest]
@@ -116,6 +116,12 @@ def rest_axes(skeleton: Skeleton, landmarks: Landmarks) -> Rotations:
         up = UP - float(left @ UP) * left if abs(float(left @ UP)) < 0.9 else AHEAD
     up = up / np.linalg.norm(up)
     return from_matrix(np.stack([left, up, np.cross(left, up)]))
+
+
+def _agree(hips: Positions, shoulders: Positions) -> bool:
+    """Return whether hips and shoulders of a rest pose lie alike: some fold one clavicle."""
+    size = float(np.linalg.norm(hips)) * float(np.linalg.norm(shoulders))
+    return size < _SHORTEST**2 or float(hips @ shoulders) > SNAP * size
 
 
 def _snapped(vector: Positions, otherwise: Positions) -> Positions:

@@ -12,11 +12,12 @@ import numpy as np
 
 from footfall.arrays import Indices, Positions
 from footfall.skeleton.anatomy import Anatomy
+from footfall.skeleton.anatomy_search import find_anatomy
 from footfall.skeleton.joint_names import Role, read_joint_name
-from footfall.skeleton.leg_search import ancestors
+from footfall.skeleton.leg_search import SIDES, ancestors
 from footfall.skeleton.skeleton import Skeleton
 
-__all__ = ["Landmarks", "find_landmarks", "rest_positions"]
+__all__ = ["Landmarks", "find_landmarks", "landmark_sentences", "rest_positions"]
 
 
 @dataclass(frozen=True, eq=False)
@@ -73,6 +74,37 @@ def find_landmarks(skeleton: Skeleton, anatomy: Anatomy) -> Landmarks:
     return Landmarks(
         anatomy, pelvis, trunk, neck, head, (clavicles[0], clavicles[1]), (toes[0], toes[1])
     )
+
+
+def landmark_sentences(skeleton: Skeleton) -> tuple[tuple[str, str], ...]:
+    """Return what each landmark of a body is, by name, and then why.
+
+    This is what other bodies' motions are mapped by; see `footfall.skeleton.correspondence`.
+
+    Raises:
+        SkeletonError: If no two legs are found; the message says what was looked for.
+    """
+    anatomy = find_anatomy(skeleton)
+    marks = find_landmarks(skeleton, anatomy)
+    sentences = [
+        ("pelvis", _named(skeleton, marks.pelvis) + ", the lowest joint that carries both legs"),
+        ("trunk", ", ".join(_named(skeleton, joint) for joint in marks.trunk)),
+        ("neck", ", ".join(_named(skeleton, joint) for joint in marks.neck) or "none"),
+        ("head", _named(skeleton, marks.head)),
+    ]
+    for side, word in enumerate(SIDES):
+        sentences.append((f"{word} clavicle", _named(skeleton, marks.clavicles[side])))
+        arm, leg = anatomy.arms[side], anatomy.legs[side]
+        joints = (None,) if arm is None else (arm.shoulder, arm.elbow, arm.wrist)
+        sentences.append((f"{word} arm", ", ".join(_named(skeleton, joint) for joint in joints)))
+        joints = (leg.hip, leg.knee, leg.ankle)
+        sentences.append((f"{word} leg", ", ".join(_named(skeleton, joint) for joint in joints)))
+        sentences.append((f"{word} toes", _named(skeleton, marks.toes[side])))
+    return (*sentences, *(("because", reason) for reason in anatomy.reasons))
+
+
+def _named(skeleton: Skeleton, joint: int | None) -> str:
+    return "none" if joint is None else repr(skeleton.names[joint])
 
 
 def rest_positions(skeleton: Skeleton) -> Positions:
