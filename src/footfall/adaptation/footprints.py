@@ -18,6 +18,7 @@ __all__ = [
     "approach",
     "hold_foot",
     "release_foot",
+    "settle",
     "spring",
     "toe_lead",
 ]
@@ -78,9 +79,16 @@ def spring(
 
     Exact for any `dt`: cutting it into pieces changes nothing.
     """
+    return settle(value, speed, goal, stiffness, dt, math.exp(-stiffness * dt))
+
+
+@kernel
+def settle(
+    value: float, speed: float, goal: float, stiffness: float, dt: float, decay: float
+) -> tuple[float, float]:
+    """Return what `spring` does, where `decay` is what is left of anything after `dt`, 0..1."""
     away = value - goal
     pull = speed + stiffness * away
-    decay = math.exp(-stiffness * dt)
     return goal + (away + pull * dt) * decay, (speed - stiffness * pull * dt) * decay
 
 

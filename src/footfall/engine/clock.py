@@ -48,9 +48,9 @@ def pass_time(shelf: Shelf, me: Character, search: SearchMemories, rules: Rules,
         replan(shelf, me, search, rules)
     end = me.clock + dt
     while True:
+        # Between commands weights and warps change only while something fades.
         moving = _weights_move(me)
         if moving:
-            update_weights(me)
             rebuild_warps(shelf, me)
         step = min(end, _next_deadline(me)) - me.clock
         slot_ends = False
@@ -60,13 +60,15 @@ def pass_time(shelf: Shelf, me: Character, search: SearchMemories, rules: Rules,
             if left <= step + SAME_MOMENT:
                 step, slot_ends = min(left, step), True
         _run_clips(shelf, me, step, slot_ends)
-        _run_fades(me, step)
+        _run_fades(me, step, moving)
         me.clock += step
         if duration > 0.0:
             me.slot_progress += step / duration
         if slot_ends:
             enter_slot(shelf, me, search, rules)
         _lose_patience(shelf, me, rules)
+        if moving:
+            update_weights(me)
         if end - me.clock <= SAME_MOMENT and not slot_ends:
             break
     me.clock = end
@@ -75,7 +77,7 @@ def pass_time(shelf: Shelf, me: Character, search: SearchMemories, rules: Rules,
 
 @inner_kernel
 def _weights_move(me: Character) -> bool:
-    for seat in range(SEATS):
+    for seat in range(me.occupied):
         fading = me.fade_progress[seat, 0] < 1.0 or me.fade_progress[seat, 1] < 1.0
         if me.status[seat] >= RUNNING and (fading or me.presence[seat] != 1 - me.muted[seat]):
             return True
@@ -86,7 +88,7 @@ def _weights_move(me: Character) -> bool:
 def _next_deadline(me: Character) -> float:
     """Return the clock time at which the first waiting start has waited long enough."""
     soonest = math.inf
-    for seat in range(SEATS):
+    for seat in range(me.occupied):
         if me.status[seat] == WAITING:
             soonest = min(soonest, max(me.patience[seat], me.clock))
     return soonest
@@ -95,7 +97,7 @@ def _next_deadline(me: Character) -> float:
 @inner_kernel
 def _lose_patience(shelf: Shelf, me: Character, rules: Rules) -> None:
     """Give up the starts that have waited long enough, or start them muted."""
-    for seat in range(SEATS):
+    for seat in range(me.occupied):
         if me.status[seat] == WAITING and me.patience[seat] <= me.clock + SAME_MOMENT:
             if me.late[seat] == STARTS_MUTED:
                 enter_muted(shelf, me, rules, seat)
@@ -106,7 +108,7 @@ def _lose_patience(shelf: Shelf, me: Character, rules: Rules) -> None:
 @inner_kernel
 def _run_clips(shelf: Shelf, me: Character, step: float, slot_ends: bool) -> None:
     """Advance every clip: warped where it is synchronized, else at its own speed."""
-    for seat in range(SEATS):
+    for seat in range(me.occupied):
         if me.status[seat] < RUNNING:
             continue
         if me.synchronized and me.playing[seat] and not me.muted[seat]:
@@ -140,10 +142,12 @@ def _run_clips(shelf: Shelf, me: Character, step: float, slot_ends: bool) -> Non
 
 
 @inner_kernel
-def _run_fades(me: Character, step: float) -> None:
+def _run_fades(me: Character, step: float, moving: bool) -> None:
     """Advance every fade; leg weights wait while both feet carry, or none (S-27)."""
     pace = _fade_pace(me, step)
-    for seat in range(SEATS):
+    if not moving:
+        return
+    for seat in range(me.occupied):
         if me.status[seat] < RUNNING:
             continue
         asked = me.fade_asked[seat]
@@ -193,7 +197,7 @@ def _fade_pace(me: Character, step: float) -> float:
 def _settle(shelf: Shelf, me: Character, search: SearchMemories, rules: Rules) -> None:
     """Let go what has faded out beside the schedule, and say what carries the body."""
     standing = True
-    for seat in range(SEATS):
+    for seat in range(me.occupied):
         if me.status[seat] == LEAVING and not me.playing[seat]:
             progress = me.fade_progress[seat]
             if progress[0] >= 1.0 and progress[1] >= 1.0:
@@ -203,7 +207,8 @@ def _settle(shelf: Shelf, me: Character, search: SearchMemories, rules: Rules) -
     if standing and me.synchronized:
         me.slot_duration = 0.0
         retry_waiting(shelf, me, search, rules)
-    update_weights(me)
+    while me.occupied > 0 and me.status[me.occupied - 1] == EMPTY:
+        me.occupied -= 1
     me.support = _present_support(shelf, me)
 
 
@@ -211,13 +216,13 @@ def _settle(shelf: Shelf, me: Character, search: SearchMemories, rules: Rules) -
 def _present_support(shelf: Shelf, me: Character) -> int:
     """Return the combined support, or without synchronization that of the heaviest action."""
     if me.synchronized:
-        for seat in range(SEATS):
+        for seat in range(me.occupied):
             if me.playing[seat]:
                 return me.results[0]
         return DOUBLE
     heaviest = me.weights[SEATS, LEGS]
     support = DOUBLE
-    for seat in range(SEATS):
+    for seat in range(me.occupied):
         if me.status[seat] >= RUNNING and me.weights[seat, LEGS] > heaviest:
             heaviest = me.weights[seat, LEGS]
             support = support_at(shelf, me.action[seat], me.clip_time[seat])

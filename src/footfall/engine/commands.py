@@ -95,6 +95,7 @@ def _take_seat(shelf: Shelf, me: Character, seat: int, action: int) -> None:
     me.fade_elapsed[seat, 0] = me.fade_elapsed[seat, 1] = 0.0
     me.playing[seat] = False
     me.status[seat] = WAITING
+    me.occupied = max(me.occupied, seat + 1)
 
 
 @inner_kernel

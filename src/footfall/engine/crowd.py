@@ -13,7 +13,8 @@ from footfall.adaptation import AnyGround, Plane
 from footfall.arrays import Positions, Rotations, Supports
 from footfall.engine.commands import NO_SEAT, start_row, stop_row
 from footfall.engine.library import MotionLibrary
-from footfall.engine.pipeline import advance_rows
+from footfall.engine.pipeline import advance_blocks
+from footfall.engine.placing import world_poses_of
 from footfall.engine.priorities import parse_priority
 from footfall.engine.record import SEATS
 from footfall.engine.refusals import LATE, Late, check_patience, explain_wait
@@ -22,7 +23,9 @@ from footfall.engine.shelf import Shelf
 from footfall.engine.standing import Standing
 from footfall.engine.state import EMPTY, new_characters, new_workspace
 from footfall.errors import ArgumentError, SkeletonError
+from footfall.octets import LANES
 from footfall.skeleton import Skeleton
+from footfall.skeleton.octet_poses import PLACEMENT
 from footfall.sync.refusal import Refusal
 from footfall.sync.search_memory import SearchMemories
 from footfall.sync.tables import Planner, Rules, rules_of
@@ -87,6 +90,9 @@ class Crowd(Standing):
         self._characters["synchronized"] = synchronized
         self._characters["printed"] = footprints and synchronized
         self.ground = Plane() if ground is None else ground
+        joints = self.skeleton.count
+        self._poses = np.zeros((-(-size // LANES), joints, PLACEMENT, LANES), dtype=np.float32)
+        self._stale = False
         self._world_positions = np.zeros((size, self.skeleton.count, 3))
         self._world_rotations = np.zeros((size, self.skeleton.count, 4))
 
@@ -201,17 +207,26 @@ class Crowd(Standing):
         if not (0.0 <= dt < float("inf")):
             raise ArgumentError(f"dt is {dt} s; it must be finite and >= 0")
         self._refresh()
-        advance_rows(
+        advance_blocks(
             self._shelf,
             self._packed_ground,
             self._rig,
             self._characters,
             self._work,
             self._rules,
-            self._world_rotations,
-            self._world_positions,
+            self._poses,
             float(dt),
+            0,
+            len(self._poses),
         )
+        self._stale = True
+
+    def _in_world(self) -> None:
+        if self._stale:
+            world_poses_of(
+                self._characters, self._poses, self._world_rotations, self._world_positions
+            )
+            self._stale = False
 
     @property
     def shelf(self) -> Shelf:
@@ -237,11 +252,13 @@ class Crowd(Standing):
     @property
     def world_positions(self) -> Positions:
         """Joints in the world [m], shape (rows, joints, 3); a view that advance overwrites."""
+        self._in_world()
         return self._world_positions
 
     @property
     def world_rotations(self) -> Rotations:
         """Joints in the world, shape (rows, joints, 4); a view that advance overwrites."""
+        self._in_world()
         return self._world_rotations
 
     @property

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from footfall.arrays import SmallFloats
 from footfall.compilation import inner_kernel
 from footfall.engine.record import SEATS, Character
 from footfall.engine.shelf import Shelf
-from footfall.engine.state import Workspace
 from footfall.geometry import quaternions
+from footfall.octets import LANES
 from footfall.skeleton import BodyPart
 from footfall.skeleton.normalized import ANKLES
 from footfall.support import Support
@@ -35,10 +36,9 @@ def stand_where_planted(shelf: Shelf, me: Character) -> None:
     if weight <= 0.0:
         me.stands = False
         return
-    first = ANKLES + 4 * shelf.joints + 8
+    first = ANKLES + shelf.keys.shape[1] - LANES
     last = shelf.keys.shape[0] - 1
-    begins = not me.stands
-    if begins:
+    if not me.stands:
         me.stands = True
         apart = me.support == DOUBLE and not me.fresh and me.synchronized
         for side in range(2):
@@ -50,29 +50,32 @@ def stand_where_planted(shelf: Shelf, me: Character) -> None:
         for axis in range(2):
             shift = me.stance[side, axis]
             me.effectors[ANKLES + 3 * side + 2 * axis] += weight * shift
-            for point in range(2):
-                me.seat_points[SEATS, side, point, 2 * axis] += shift
-                if begins:
-                    me.old_points[SEATS, side, point, 2 * axis] += shift
 
 
 @inner_kernel
-def locate_feet(shelf: Shelf, me: Character, work: Workspace) -> None:
+def locate_feet(shelf: Shelf, me: Character, blended: SmallFloats) -> None:
     """Find heel and toe of the blended feet (stage 5).
 
     Written: `me.points` in leg lengths, `me.heights` over each point's own height at rest.
+
+    Args:
+        shelf: The library.
+        me: The character.
+        blended: Its blended pose by component, shape (4 rows + 8,).
     """
+    rows = (blended.shape[0] - LANES) // 4
     for side in range(2):
-        q = work.turned[shelf.joints + side]
+        foot = shelf.joints + side
+        w, qx = float(blended[foot]), float(blended[foot + rows])
+        qy, qz = float(blended[foot + 2 * rows]), float(blended[foot + 3 * rows])
         for point in range(2):
             offset = shelf.points[side, point]
-            resting = 0.0
-            for seat in range(SEATS + 1):
-                weight = me.weights[seat, LEGS]
-                if weight > 0.0:
-                    action = me.action[seat] if seat < SEATS else shelf.entries.shape[0]
-                    resting += weight * shelf.resting_heights[action, side, point]
-            x, y, z = quaternions.rotate(q[0], q[1], q[2], q[3], offset[0], offset[1], offset[2])
+            standing = shelf.resting_heights[shelf.entries.shape[0], side, point]
+            resting = me.weights[SEATS, LEGS] * standing
+            for seat in range(me.occupied):
+                height = shelf.resting_heights[me.action[seat], side, point]
+                resting += me.weights[seat, LEGS] * height
+            x, y, z = quaternions.rotate(w, qx, qy, qz, offset[0], offset[1], offset[2])
             me.points[side, point, 0] = x + me.effectors[1 + 3 * side]
             me.points[side, point, 1] = y + me.effectors[2 + 3 * side]
             me.points[side, point, 2] = z + me.effectors[3 + 3 * side]

@@ -17,6 +17,7 @@ from footfall.errors import ArgumentError, ClipError, SkeletonError, UnknownName
 from footfall.motion import Clip, with_soles
 from footfall.motion.retargeting import map_clip, retarget
 from footfall.skeleton import Anatomy, Skeleton, find_anatomy
+from footfall.skeleton.normalized import by_component
 from footfall.skeleton.rig import Rig, rig_of
 from footfall.support import SupportSequence
 from footfall.sync.tables import Planner, SequenceTable, check_registration
@@ -197,7 +198,10 @@ class MotionLibrary:
         sequences = [action.supports for action in actions]
         standing_root = np.zeros((1, 3))
         return Shelf(
-            keys=np.concatenate([*(action.packed.keys for action in actions), self._standing]),
+            keys=by_component(
+                np.concatenate([*(action.packed.keys for action in actions), self._standing]),
+                self.skeleton.count,
+            ),
             roots=np.concatenate([*(action.packed.roots for action in actions), standing_root]),
             entries=_entries(actions),
             resting_heights=np.stack(

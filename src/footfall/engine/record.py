@@ -76,6 +76,9 @@ class Character:
     support: int
     """What carries the body now."""
 
+    occupied: int
+    """How many seats come before the last one that is taken, that one included."""
+
     starts: int
     """How many actions have been started, which orders them by age."""
 
@@ -137,9 +140,9 @@ class Character:
     posed_time: Annotated[Seconds, SEATS]
     """Clip time of the pose shown last, shape (seats,)."""
 
-    seat_points: Annotated[Positions, SEATS + 1, 2, 2, 3]
+    seat_points: Annotated[Positions, SEATS, 2, 2, 3]
     """Heel and toe of each foot in the pose shown last, relative to the clip's root, in leg
-    lengths; the last seat is the neutral motion. Shape (seats + 1, 2, 2, 3)."""
+    lengths, shape (seats, 2, 2, 3)."""
 
     blended_points: Annotated[Positions, 2, 2, 3]
     """The same after blending, relative to the root [m], shape (2, 2, 3)."""
@@ -197,11 +200,9 @@ class Character:
     effectors: Annotated[Floats, 7]
     """Blended pelvis height and ankle positions, shape (7,)."""
 
-    ankles: Annotated[Positions, 2, 3]
-    """Where the ankles should be, relative to the root [m], shape (2, 3)."""
-
-    old_points: Annotated[Positions, SEATS + 1, 2, 2, 3]
-    """Foot points of the pose shown last, shape (seats + 1, 2, 2, 3)."""
+    way: Annotated[Floats, 3]
+    """Where the motions take the root in this step, seen from where it was: x and z in leg lengths,
+    heading [rad], shape (3,)."""
 
     points: Annotated[Positions, 2, 2, 3]
     """Heel and toe of the blended feet, relative to the root, in leg lengths, (2, 2, 3)."""
@@ -221,9 +222,6 @@ class Character:
 
     on_toes: Annotated[Flags, 2]
     """Whether the toe of each foot carries rather than its heel, shape (2,)."""
-
-    offset: Annotated[Positions, 3]
-    """How far a footprint moves a foot, relative to the root [m], shape (3,)."""
 
     levels: Annotated[Weights, SEATS]
     """Activation levels, shape (seats,)."""

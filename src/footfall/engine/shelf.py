@@ -10,7 +10,9 @@ import numpy as np
 from footfall.arrays import Floats, Positions, Seconds, SmallFloats
 from footfall.compilation import inner_kernel
 from footfall.geometry import quaternions, transforms
+from footfall.octets import LANES
 from footfall.skeleton import BodyPart
+from footfall.skeleton.normalized import ANKLES
 from footfall.sync.tables import SequenceTable
 
 __all__ = [
@@ -96,7 +98,8 @@ class Shelf(NamedTuple):
     """All actions, packed for the kernels."""
 
     keys: SmallFloats
-    """Normalized poses of all clips, one after the other, then the neutral one, (frames, ...)."""
+    """Normalized poses of all clips by component, one after the other, then the neutral one, shape
+    (frames, 4 rows + 8)."""
 
     roots: Floats
     """The root of each of them: x, z in leg lengths, heading [rad], shape (frames, 3)."""
@@ -206,29 +209,33 @@ def read_points(shelf: Shelf, frame: int, fraction: float, out: Positions) -> No
     """Write heel and toe of each foot, relative to the root, in leg lengths, (2, 2, 3)."""
     keys = shelf.keys
     after = frame + 1 if fraction > 0.0 else frame
+    rows = (keys.shape[1] - LANES) // 4
     for side in range(2):
-        turn = 4 * (shelf.joints + side)
-        place = 4 * shelf.joints + 9 + 3 * side
-        w, x, y, z = quaternions.nlerp(
-            keys[frame, turn],
-            keys[frame, turn + 1],
-            keys[frame, turn + 2],
-            keys[frame, turn + 3],
-            keys[after, turn],
-            keys[after, turn + 1],
-            keys[after, turn + 2],
-            keys[after, turn + 3],
-            fraction,
+        foot = shelf.joints + side
+        place = 4 * rows + ANKLES + 3 * side
+        w, x, y, z = quaternions.normalize(
+            _key_between(keys, frame, after, fraction, foot),
+            _key_between(keys, frame, after, fraction, foot + rows),
+            _key_between(keys, frame, after, fraction, foot + 2 * rows),
+            _key_between(keys, frame, after, fraction, foot + 3 * rows),
         )
+        ankle_x = _key_between(keys, frame, after, fraction, place)
+        ankle_y = _key_between(keys, frame, after, fraction, place + 1)
+        ankle_z = _key_between(keys, frame, after, fraction, place + 2)
         for point in range(2):
             offset = shelf.points[side, point]
             px, py, pz = quaternions.rotate(w, x, y, z, offset[0], offset[1], offset[2])
-            out[side, point, 0] = px
-            out[side, point, 1] = py
-            out[side, point, 2] = pz
-            for i in range(3):
-                one = keys[frame, place + i]
-                out[side, point, i] += one + fraction * (keys[after, place + i] - one)
+            out[side, point, 0] = ankle_x + px
+            out[side, point, 1] = ankle_y + py
+            out[side, point, 2] = ankle_z + pz
+
+
+@inner_kernel
+def _key_between(
+    keys: SmallFloats, frame: int, after: int, fraction: float, column: int
+) -> float:
+    one = float(keys[frame, column])
+    return one + fraction * (float(keys[after, column]) - one)
 
 
 @inner_kernel

@@ -7,13 +7,18 @@ from typing import Annotated, Any, NamedTuple, get_args, get_origin, get_type_hi
 import numpy as np
 import numpy.typing as npt
 
-from footfall.arrays import Positions, Rotations
+from footfall.arrays import Positions, Rotations, SmallFloats
+from footfall.blending import Layers
 from footfall.engine.record import COLUMNS, SEATS, Character
+from footfall.octets import LANES
+from footfall.skeleton import BodyPart
+from footfall.skeleton.normalized import padded_count
 from footfall.support import Support
 from footfall.sync.search_memory import new_search_memory
 from footfall.sync.tables import ABSENT
 
 __all__ = [
+    "AIMS",
     "EMPTY",
     "GIVES_UP",
     "LEAVING",
@@ -35,20 +40,30 @@ GIVES_UP, STARTS_MUTED = 0, 1
 """What `Character.late` says of a seat."""
 
 
+AIMS = 16
+"""Rows of `Workspace.aims`."""
+
+
 class Workspace(NamedTuple):
     """Memory to work in; one a thread."""
 
     search: npt.NDArray[Any]
     """That of the planner: one `footfall.sync.search_memory.SearchMemory`."""
 
-    turned: Rotations
-    """Blended rotations, joints then feet, shape (joints + 2, 4)."""
+    points: Positions
+    """Heel and toe of each foot of one motion, in leg lengths, shape (2, 2, 3)."""
 
-    rotations: Rotations
-    """Joints relative to the root, shape (joints, 4)."""
+    layers: Layers
+    """What is mixed into the pose of one character."""
 
-    positions: Positions
-    """Joints relative to the root [m], shape (joints, 3)."""
+    blended: SmallFloats
+    """Blended poses of eight characters, by component, shape (8, 4 rows + 8)."""
+
+    local: SmallFloats
+    """Their rotations, the eight side by side, shape (4, rows, 8)."""
+
+    aims: SmallFloats
+    """What their bodies have to reach, shape (aims, 8): see `footfall.engine.placing`."""
 
 
 class Frame(NamedTuple):
@@ -103,6 +118,17 @@ def new_characters(rows: int, lookahead: int) -> npt.NDArray[Any]:
 
 def new_workspace(joints: int) -> Workspace:
     """Return the memory in which one thread works."""
+    rows, layers = padded_count(joints), SEATS + 1
     return Workspace(
-        new_search_memory(), np.zeros((joints + 2, 4)), np.zeros((joints, 4)), np.zeros((joints, 3))
+        new_search_memory(),
+        np.zeros((2, 2, 3)),
+        Layers(
+            np.zeros(layers, dtype=np.int64),
+            np.zeros(layers, dtype=np.int64),
+            np.zeros(layers, dtype=np.float32),
+            np.zeros((layers, len(BodyPart)), dtype=np.float32),
+        ),
+        np.zeros((LANES, 4 * rows + LANES), dtype=np.float32),
+        np.zeros((4, rows, LANES), dtype=np.float32),
+        np.zeros((AIMS, LANES), dtype=np.float32),
     )

@@ -1,7 +1,9 @@
 """Quaternions (wxyz), component by component: one source for scalars in kernels and for arrays.
 
-Each function takes and returns components, uses only arithmetic, and therefore means the same
-on four numbers inside a kernel and on four arrays outside (`rotations` wraps it for arrays).
+Each function takes and returns components. `product` and `rotate` use only arithmetic and
+therefore mean the same on four numbers inside a kernel and on four arrays outside (`rotations`
+wraps them for arrays); `normalize` and `between` do without branches and, like those, also serve
+eight characters at once (`footfall.octets`).
 """
 
 from __future__ import annotations
@@ -9,6 +11,7 @@ from __future__ import annotations
 import math
 
 from footfall.compilation import kernel
+from footfall.octets import select, square_root
 
 __all__ = [
     "between",
@@ -75,11 +78,10 @@ def conjugate_rotate(
 @kernel
 def normalize(qw: float, qx: float, qy: float, qz: float) -> tuple[float, float, float, float]:
     """Return q scaled to unit length; the identity where q is zero."""
-    length = math.sqrt(qw * qw + qx * qx + qy * qy + qz * qz)
-    if length == 0.0:
-        return (1.0, 0.0, 0.0, 0.0)
-    scale = 1.0 / length
-    return (qw * scale, qx * scale, qy * scale, qz * scale)
+    length = square_root(qw * qw + qx * qx + qy * qy + qz * qz)
+    empty = length <= 0.0
+    scale = 1.0 / select(empty, 1.0, length)
+    return (select(empty, 1.0, qw * scale), qx * scale, qy * scale, qz * scale)
 
 
 @kernel
@@ -111,15 +113,14 @@ def between(
     The identity where either vector is zero; half a turn about some axis across a where they
     are opposed.
     """
-    scale = math.sqrt((ax * ax + ay * ay + az * az) * (bx * bx + by * by + bz * bz))
-    if scale == 0.0:
-        return (1.0, 0.0, 0.0, 0.0)
+    scale = square_root((ax * ax + ay * ay + az * az) * (bx * bx + by * by + bz * bz))
     w = scale + ax * bx + ay * by + az * bz
-    if w < 1e-14 * scale:
-        if abs(ax) < abs(ay):
-            return normalize(0.0, 0.0, -az, ay)
-        return normalize(0.0, az, 0.0, -ax)
-    return normalize(w, ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx)
+    opposed = w < 1e-14 * scale
+    steep = ax * ax < ay * ay
+    x = select(opposed, select(steep, 0.0, az), ay * bz - az * by)
+    y = select(opposed, select(steep, -az, 0.0), az * bx - ax * bz)
+    z = select(opposed, select(steep, ay, -ax), ax * by - ay * bx)
+    return normalize(select(opposed, 0.0, w), x, y, z)
 
 
 @kernel

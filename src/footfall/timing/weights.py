@@ -39,6 +39,9 @@ def normalize_weights(priorities: Weights, levels: Weights, out: Weights) -> Non
     """
     seats = levels.shape[0]
     for part in range(priorities.shape[1]):
+        if part > 0 and _alike(priorities, part):
+            out[:, part] = out[:, part - 1]
+            continue
         total = 0.0
         presence = 0.0
         for seat in range(seats):
@@ -62,6 +65,15 @@ def normalize_weights(priorities: Weights, levels: Weights, out: Weights) -> Non
             if bent_total > 0.0:
                 out[seat, part] = out[seat, part] / bent_total * presence
         out[seats, part] = 1.0 - presence
+
+
+@kernel
+def _alike(priorities: Weights, part: int) -> bool:
+    """Return whether every action has the same priority on a body part as on the one before."""
+    for seat in range(priorities.shape[0]):
+        if priorities[seat, part] != priorities[seat, part - 1]:
+            return False
+    return True
 
 
 @kernel
