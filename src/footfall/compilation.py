@@ -18,7 +18,7 @@ from typing import Any, TypeVar, cast
 import numba  # pyright: ignore[reportMissingTypeStubs]
 from numba.core import config as numba_config  # pyright: ignore[reportMissingTypeStubs]
 
-__all__ = ["inlined_kernel", "inner_kernel", "kernel"]
+__all__ = ["inlined_kernel", "inner_kernel", "kernel", "small_kernel"]
 
 Function = TypeVar("Function", bound=Callable[..., Any])
 
@@ -98,6 +98,17 @@ def inner_kernel(function: Function) -> Function:
         no_cpython_wrapper=True,
         no_cfunc_wrapper=True,
     )(function)
+    return cast(Function, compiled)
+
+
+def small_kernel(function: Function) -> Function:
+    """Compile a function that becomes part of the machine code of each kernel that calls it.
+
+    For what is small, or has one caller and many arguments: handing a motion library on from
+    function to function takes longer than most of what is done with it.
+    """
+    njit: Any = numba.njit
+    compiled: Any = njit(cache=True, nogil=True, error_model="numpy", forceinline=True)(function)
     return cast(Function, compiled)
 
 

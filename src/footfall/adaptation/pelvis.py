@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from footfall.compilation import kernel
+from footfall.compilation import small_kernel
 from footfall.octets import greater, select, square_root
 from footfall.skeleton.two_bone_ik import SOFT_REACH, Vector
 
@@ -15,7 +15,7 @@ RISE_SPEED = 8.0
 """Of the spring that lets it rise again [1/s]."""
 
 
-@kernel
+@small_kernel
 def needed_drop(leg_length: float, hip: Vector, ankle: Vector, offset: Vector) -> float:
     """Return how far the pelvis must sink for one leg [m].
 

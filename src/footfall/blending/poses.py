@@ -8,7 +8,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from footfall.arrays import Indices, SmallFloats
-from footfall.compilation import kernel
+from footfall.compilation import small_kernel
 from footfall.octet_memory import load, spread, store
 from footfall.octets import LANES, select, square_root
 from footfall.skeleton import BodyPart
@@ -37,7 +37,7 @@ class Layers(NamedTuple):
     """Weight on each body part, shape (layers, parts)."""
 
 
-@kernel
+@small_kernel
 def blend_layers(
     keys: SmallFloats, layers: Layers, count: int, part_masks: SmallFloats, out: SmallFloats
 ) -> None:
@@ -86,7 +86,7 @@ def blend_layers(
     store(out, 4 * rows, lengths)
 
 
-@kernel
+@small_kernel
 def _between(keys: SmallFloats, before: int, after: int, fraction: float) -> float:
     one = load(keys, before)
     return one + (load(keys, after) - one) * fraction

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 
-from footfall.compilation import inlined_kernel, inner_kernel
+from footfall.compilation import inlined_kernel, inner_kernel, small_kernel
 from footfall.engine.durations import rebuild_warps, update_weights
 from footfall.engine.planning import replan
 from footfall.engine.record import SEATS, Character
@@ -59,7 +59,7 @@ def pass_time(shelf: Shelf, me: Character, search: SearchMemories, rules: Rules,
             left = (1.0 - me.slot_progress) * duration
             if left <= step + SAME_MOMENT:
                 step, slot_ends = min(left, step), True
-        _run_clips(shelf, me, step, slot_ends)
+        moving = _run_clips(shelf, me, step, slot_ends) or moving
         _run_fades(me, step, moving)
         me.clock += step
         if duration > 0.0:
@@ -75,7 +75,7 @@ def pass_time(shelf: Shelf, me: Character, search: SearchMemories, rules: Rules,
     _settle(shelf, me, search, rules)
 
 
-@inner_kernel
+@small_kernel
 def _weights_move(me: Character) -> bool:
     for seat in range(me.occupied):
         fading = me.fade_progress[seat, 0] < 1.0 or me.fade_progress[seat, 1] < 1.0
@@ -84,7 +84,7 @@ def _weights_move(me: Character) -> bool:
     return False
 
 
-@inner_kernel
+@small_kernel
 def _next_deadline(me: Character) -> float:
     """Return the clock time at which the first waiting start has waited long enough."""
     soonest = math.inf
@@ -105,9 +105,14 @@ def _lose_patience(shelf: Shelf, me: Character, rules: Rules) -> None:
                 me.status[seat] = EMPTY
 
 
-@inner_kernel
-def _run_clips(shelf: Shelf, me: Character, step: float, slot_ends: bool) -> None:
-    """Advance every clip: warped where it is synchronized, else at its own speed."""
+@small_kernel
+def _run_clips(shelf: Shelf, me: Character, step: float, slot_ends: bool) -> bool:
+    """Advance every clip: warped where it is synchronized, else at its own speed.
+
+    Returns:
+        Whether one is over, and begins to fade out.
+    """
+    over = False
     for seat in range(me.occupied):
         if me.status[seat] < RUNNING:
             continue
@@ -138,10 +143,12 @@ def _run_clips(shelf: Shelf, me: Character, step: float, slot_ends: bool) -> Non
             clip_time = shelf.entries[action].duration
             me.rate[seat] = 0.0
             begin_leaving(shelf, me, seat)
+            over = True
         me.clip_time[seat] = clip_time
+    return over
 
 
-@inner_kernel
+@small_kernel
 def _run_fades(me: Character, step: float, moving: bool) -> None:
     """Advance every fade; leg weights wait while both feet carry, or none (S-27)."""
     pace = _fade_pace(me, step)
@@ -168,7 +175,7 @@ def _run_fades(me: Character, step: float, moving: bool) -> None:
             me.fade_elapsed[seat, group] += step
 
 
-@inner_kernel
+@small_kernel
 def _fade_pace(me: Character, step: float) -> float:
     """Return how fast leg weights may move, 0 to 1, in the middle of the next step.
 
@@ -212,7 +219,7 @@ def _settle(shelf: Shelf, me: Character, search: SearchMemories, rules: Rules) -
     me.support = _present_support(shelf, me)
 
 
-@inner_kernel
+@small_kernel
 def _present_support(shelf: Shelf, me: Character) -> int:
     """Return the combined support, or without synchronization that of the heaviest action."""
     if me.synchronized:

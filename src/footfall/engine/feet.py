@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from footfall.arrays import SmallFloats
-from footfall.compilation import inner_kernel
+from footfall.compilation import small_kernel
 from footfall.engine.record import SEATS, Character
 from footfall.engine.shelf import Shelf
 from footfall.geometry import quaternions
@@ -20,13 +20,13 @@ RIGHT_FOOT = int(Support.RIGHT) & ~int(Support.LEFT)
 DOUBLE = int(Support.DOUBLE)
 
 
-@inner_kernel
+@small_kernel
 def carries(support: int, side: int) -> bool:
     """Return whether a foot, 0 left or 1 right, is among those that carry."""
     return (support & (LEFT_FOOT if side == 0 else RIGHT_FOOT)) != 0
 
 
-@inner_kernel
+@small_kernel
 def stand_where_planted(shelf: Shelf, me: Character) -> None:
     """Let the neutral motion, where it takes over from both feet, stand where they are.
 
@@ -52,7 +52,7 @@ def stand_where_planted(shelf: Shelf, me: Character) -> None:
             me.effectors[ANKLES + 3 * side + 2 * axis] += weight * shift
 
 
-@inner_kernel
+@small_kernel
 def locate_feet(shelf: Shelf, me: Character, blended: SmallFloats) -> None:
     """Find heel and toe of the blended feet (stage 5).
 

@@ -10,7 +10,7 @@ from footfall.adaptation.footprints import settle
 from footfall.adaptation.pelvis import FALL_SPEED, RISE_SPEED, needed_drop
 from footfall.arrays import Positions, Rotations, SmallFloats
 from footfall.blending.root import mix_point
-from footfall.compilation import inner_kernel, kernel
+from footfall.compilation import kernel, small_kernel
 from footfall.engine.record import Character
 from footfall.engine.state import Workspace
 from footfall.geometry import quaternions, transforms
@@ -32,7 +32,7 @@ that changes [m], [m/s]; whether the legs reach at all; the ankles of the blende
 footprints move them, three numbers a foot [m]."""
 
 
-@inner_kernel
+@small_kernel
 def aim_body(rig: Rig, me: Character, work: Workspace, lane: int) -> None:
     """Say what one body has to reach: its feet on their footprints (stage 8)."""
     leg, aims = rig.leg_length, work.aims
@@ -55,7 +55,7 @@ def aim_body(rig: Rig, me: Character, work: Workspace, lane: int) -> None:
             aims[OFFSET + 3 * side + axis, lane] = placed[axis] - ankle[axis]
 
 
-@inner_kernel
+@small_kernel
 def _placed_ankle(
     rig: Rig, me: Character, blended: SmallFloats, side: int, ankle: tuple[float, float, float]
 ) -> tuple[float, float, float]:
@@ -94,7 +94,7 @@ def _placed_ankle(
     return px + ax + x, py + ay + offset[1], pz + az + z
 
 
-@inner_kernel
+@small_kernel
 def place_bodies(
     rig: Rig,
     characters: npt.NDArray[Any],
@@ -122,13 +122,13 @@ def place_bodies(
         me.pelvis_drop[1] = work.aims[DROP_SPEED, lane]
 
 
-@inner_kernel
+@small_kernel
 def _aim(aims: SmallFloats, row: int) -> tuple[float, float, float]:
     at = row * LANES
     return load(aims, at), load(aims, at + LANES), load(aims, at + 2 * LANES)
 
 
-@inner_kernel
+@small_kernel
 def _lower_pelvis(
     rig: Rig, aims: SmallFloats, poses: SmallFloats, block: int, reaches: bool, dt: float
 ) -> float:

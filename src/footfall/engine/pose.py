@@ -8,7 +8,7 @@ from footfall.adaptation.footprints import ROLL_TIME, SPEED_TIME, approach, toe_
 from footfall.arrays import Positions
 from footfall.blending.poses import Layers, blend_layers
 from footfall.blending.root import correct_displacement, foot_slide
-from footfall.compilation import inner_kernel
+from footfall.compilation import small_kernel
 from footfall.engine.feet import carries
 from footfall.engine.record import SEATS, Character
 from footfall.engine.shelf import Shelf, key_at, read_points, travel
@@ -24,7 +24,7 @@ LEGS = int(BodyPart.LEGS)
 PARTS = len(BodyPart)
 
 
-@inner_kernel
+@small_kernel
 def blend_poses(shelf: Shelf, rig: Rig, me: Character, work: Workspace, lane: int) -> None:
     """Sample every action and the neutral motion, and blend them by body part (stage 4).
 
@@ -47,7 +47,7 @@ def blend_poses(shelf: Shelf, rig: Rig, me: Character, work: Workspace, lane: in
         me.effectors[i] = blended[4 * rig.part_masks.shape[1] + i]
 
 
-@inner_kernel
+@small_kernel
 def _add_layer(
     me: Character, seat: int, frame: int, fraction: float, layers: Layers, count: int
 ) -> int:
@@ -65,7 +65,7 @@ def _add_layer(
     return 1
 
 
-@inner_kernel
+@small_kernel
 def _add_way(shelf: Shelf, me: Character, seat: int, points: Positions) -> None:
     """Add one motion's way, and how far its feet slide on it, to those of the others.
 
@@ -73,7 +73,7 @@ def _add_way(shelf: Shelf, me: Character, seat: int, points: Positions) -> None:
     """
     weight = me.weights[seat, LEGS]
     now = me.clip_time[seat]
-    step = travel(shelf, me.action[seat], me.posed_time[seat], now)
+    step = travel(shelf.roots, shelf.entries[me.action[seat]], me.posed_time[seat], now)
     me.posed_time[seat] = now
     for i in range(3):
         me.way[i] += weight * step[i]
@@ -89,7 +89,7 @@ def _add_way(shelf: Shelf, me: Character, seat: int, points: Positions) -> None:
                 before[side, point, axis] = points[side, point, axis]
 
 
-@inner_kernel
+@small_kernel
 def move_root(rig: Rig, me: Character, dt: float) -> None:
     """Move the root as the motions do, corrected so that the carrying feet stay (stage 6)."""
     step_x, step_z, turn = me.way[0], me.way[1], me.way[2]
@@ -106,7 +106,7 @@ def move_root(rig: Rig, me: Character, dt: float) -> None:
                 me.blended_points[side, point, axis] = me.points[side, point, axis]
 
 
-@inner_kernel
+@small_kernel
 def _choose_points(rig: Rig, me: Character, dt: float) -> None:
     """Choose whether heel or toe of each foot carries; what is undecided stays as it was."""
     leg = rig.leg_length
@@ -130,7 +130,7 @@ def _choose_points(rig: Rig, me: Character, dt: float) -> None:
         me.toe_shares[side] = share
 
 
-@inner_kernel
+@small_kernel
 def _corrected(me: Character, step_x: float, step_z: float, turn: float) -> tuple[float, float]:
     """Return the displacement that suits the carrying feet; as it was where none carries."""
     x, z, feet = 0.0, 0.0, 0

@@ -100,42 +100,11 @@ class Character:
     action: Annotated[Indices, SEATS]
     """Which action of the library, shape (seats,)."""
 
-    priorities: Annotated[Floats, SEATS, PARTS]
-    """Priority on each body part, >= 0, shape (seats, parts)."""
-
-    fade_asked: Annotated[Seconds, SEATS]
-    """How long the present fade should take [s], shape (seats,)."""
-
-    fade_progress: Annotated[Floats, SEATS, 2]
-    """How far it is, on the legs and on the rest of the body, shape (seats, 2)."""
-
-    fade_elapsed: Annotated[Seconds, SEATS, 2]
-    """How long it has taken so far, likewise [s]."""
-
-    presence: Annotated[Floats, SEATS]
-    """How much of its leg weight a muted action keeps, on its way to 0, and of another one on
-    its way to 1, shape (seats,)."""
-
-    patience: Annotated[Seconds, SEATS]
-    """Clock time until which a start waits [s], shape (seats,)."""
-
-    late: Annotated[Indices, SEATS]
-    """What becomes of it then: `GIVES_UP` or `STARTS_MUTED`, shape (seats,)."""
-
     clip_time: Annotated[Seconds, SEATS]
     """Where each clip is, past its end too [s], shape (seats,)."""
 
     rate: Annotated[Floats, SEATS]
     """Clip time per clock time, shape (seats,)."""
-
-    segment: Annotated[Floats, SEATS, 6]
-    """The time warp of the slot: t0, h0, v0, t1, h1, v1, shape (seats, 6)."""
-
-    target: Annotated[Seconds, SEATS]
-    """Clip time at the end of the slot, shape (seats,)."""
-
-    natural: Annotated[Seconds, SEATS]
-    """What the slot would last at the clip's own speed [s], shape (seats,)."""
 
     posed_time: Annotated[Seconds, SEATS]
     """Clip time of the pose shown last, shape (seats,)."""
@@ -179,24 +148,6 @@ class Character:
     weights: Annotated[Weights, SEATS + 1, PARTS]
     """Weight on each body part; the last seat is the neutral motion. (seats + 1, parts)."""
 
-    playing: Annotated[Flags, SEATS]
-    """The synchronizer's window, as `footfall.sync.Window`, whose arrays follow."""
-
-    sequence: Annotated[Indices, SEATS]
-    priority: Annotated[Floats, SEATS]
-    age: Annotated[Indices, SEATS]
-    weight: Annotated[Weights, SEATS]
-    remaining: Annotated[Seconds, SEATS]
-    phases: Annotated[Indices, SEATS, COLUMNS]
-    results: Annotated[Supports, COLUMNS]
-    held: Annotated[Indices, SEATS]
-    muted: Annotated[Flags, SEATS]
-    durations: Annotated[Seconds, COLUMNS]
-    pace: Annotated[Floats, SEATS, 2]
-    slot_offset: Annotated[Seconds, 1]
-    steady: Annotated[Seconds, 1]
-    spare_phases: Annotated[Indices, SEATS, COLUMNS]
-    spare_results: Annotated[Supports, COLUMNS]
     effectors: Annotated[Floats, 7]
     """Blended pelvis height and ankle positions, shape (7,)."""
 
@@ -222,6 +173,70 @@ class Character:
 
     on_toes: Annotated[Flags, 2]
     """Whether the toe of each foot carries rather than its heel, shape (2,)."""
+
+    segment: Annotated[Floats, SEATS, 6]
+    """The time warp of the slot: t0, h0, v0, t1, h1, v1, shape (seats, 6)."""
+
+    fade_progress: Annotated[Floats, SEATS, 2]
+    """How far it is, on the legs and on the rest of the body, shape (seats, 2)."""
+
+    presence: Annotated[Floats, SEATS]
+    """How much of its leg weight a muted action keeps, on its way to 0, and of another one on
+    its way to 1, shape (seats,)."""
+
+    playing: Annotated[Flags, SEATS]
+    """The synchronizer's window, as `footfall.sync.Window`, whose arrays follow."""
+
+    sequence: Annotated[Indices, SEATS]
+
+    priority: Annotated[Floats, SEATS]
+
+    age: Annotated[Indices, SEATS]
+
+    weight: Annotated[Weights, SEATS]
+
+    remaining: Annotated[Seconds, SEATS]
+
+    phases: Annotated[Indices, SEATS, COLUMNS]
+
+    results: Annotated[Supports, COLUMNS]
+
+    held: Annotated[Indices, SEATS]
+
+    muted: Annotated[Flags, SEATS]
+
+    durations: Annotated[Seconds, COLUMNS]
+
+    pace: Annotated[Floats, SEATS, 2]
+
+    slot_offset: Annotated[Seconds, 1]
+
+    steady: Annotated[Seconds, 1]
+
+    spare_phases: Annotated[Indices, SEATS, COLUMNS]
+
+    spare_results: Annotated[Supports, COLUMNS]
+
+    priorities: Annotated[Floats, SEATS, PARTS]
+    """Priority on each body part, >= 0, shape (seats, parts)."""
+
+    patience: Annotated[Seconds, SEATS]
+    """Clock time until which a start waits [s], shape (seats,)."""
+
+    late: Annotated[Indices, SEATS]
+    """What becomes of it then: `GIVES_UP` or `STARTS_MUTED`, shape (seats,)."""
+
+    target: Annotated[Seconds, SEATS]
+    """Clip time at the end of the slot, shape (seats,)."""
+
+    natural: Annotated[Seconds, SEATS]
+    """What the slot would last at the clip's own speed [s], shape (seats,)."""
+
+    fade_asked: Annotated[Seconds, SEATS]
+    """How long the present fade should take [s], shape (seats,)."""
+
+    fade_elapsed: Annotated[Seconds, SEATS, 2]
+    """How long it has taken so far, likewise [s]."""
 
     levels: Annotated[Weights, SEATS]
     """Activation levels, shape (seats,)."""

@@ -11,7 +11,7 @@ from footfall.adaptation.footprints import (
 )
 from footfall.adaptation.surfaces import Ground, carry, probe
 from footfall.blending.root import mix_point
-from footfall.compilation import inner_kernel
+from footfall.compilation import small_kernel
 from footfall.engine.feet import carries
 from footfall.engine.record import Character
 from footfall.geometry import quaternions, transforms
@@ -38,9 +38,11 @@ STEEPEST = 0.75
 """Rise per meter beyond which ground under a swinging foot is an edge, and not followed."""
 
 
-@inner_kernel
+@small_kernel
 def ride(ground: Ground, me: Character, dt: float) -> None:
     """Go with the surfaces that carry the feet, before the root makes its own way."""
+    if ground.even:
+        return
     x, y, z, turn, feet = 0.0, 0.0, 0.0, 0.0, 0
     for side in range(2):
         if carries(me.support, side) and not me.placed:
@@ -55,7 +57,7 @@ def ride(ground: Ground, me: Character, dt: float) -> None:
         _raise_level(me, y / feet)
 
 
-@inner_kernel
+@small_kernel
 def _raise_level(me: Character, rise: float) -> None:
     """Move the root's level; the feet stay where they are in the world."""
     me.level[0] += rise
@@ -63,7 +65,7 @@ def _raise_level(me: Character, rise: float) -> None:
         me.foot_offset[side, 1] -= rise
 
 
-@inner_kernel
+@small_kernel
 def keep_footprints(ground: Ground, rig: Rig, me: Character, dt: float) -> None:
     """Hold the carrying feet where they are, let go of the others (stage 7)."""
     for side in range(2):
@@ -87,7 +89,7 @@ def keep_footprints(ground: Ground, rig: Rig, me: Character, dt: float) -> None:
     _follow_ground(me, dt)
 
 
-@inner_kernel
+@small_kernel
 def _move_points(rig: Rig, me: Character, side: int, dt: float) -> tuple[float, float]:
     """Find heel and toe in the world; return how far that moved the carrying point [m]."""
     share = me.toe_shares[side]
@@ -104,10 +106,20 @@ def _move_points(rig: Rig, me: Character, side: int, dt: float) -> tuple[float, 
     )
 
 
-@inner_kernel
+@small_kernel
 def _tilt_points(rig: Rig, me: Character, side: int) -> None:
     """Write heel and toe in the world, the sole tilted about its middle as the ground is."""
     root, leg, points = me.root, rig.leg_length, me.points[side]
+    if me.foot_slope[side, 0] == 0.0 and me.foot_slope[side, 1] == 0.0:
+        me.tilt[side, 0] = me.tilt[side, 1] = 0.0
+        for point in range(2):
+            x, z = leg * points[point, 0], leg * points[point, 2]
+            x, z = transforms.apply(root[0], root[1], root[2], x, z)
+            me.world_points[side, point, 0] = x
+            me.world_points[side, point, 1] = leg * points[point, 1]
+            me.world_points[side, point, 2] = z
+            me.tilt_rise[side, point] = 0.0
+        return
     me.tilt[side, 0], me.tilt[side, 1] = me.foot_slope[side, 0], me.foot_slope[side, 1]
     w, qx, qy, qz = quaternions.between(0.0, 1.0, 0.0, -me.tilt[side, 0], 1.0, -me.tilt[side, 1])
     for point in range(2):
@@ -135,10 +147,10 @@ def _tilt_points(rig: Rig, me: Character, side: int) -> None:
         me.tilt_rise[side, point] = ty - y
 
 
-@inner_kernel
+@small_kernel
 def _taken(ground: Ground, me: Character, side: int, dt: float) -> tuple[float, float, float]:
     """Return how far the surface under a carrying foot has taken it in this step [m]."""
-    if me.placed:
+    if me.placed or ground.even:
         return 0.0, 0.0, 0.0
     share, offset = me.toe_shares[side], me.foot_offset[side]
     x = mix_point(me.world_points, side, share, 0) + offset[0]
@@ -150,7 +162,7 @@ def _taken(ground: Ground, me: Character, side: int, dt: float) -> tuple[float, 
     return dx, dy, dz
 
 
-@inner_kernel
+@small_kernel
 def _feel(ground: Ground, rig: Rig, me: Character, side: int, planted: bool, dt: float) -> None:
     """Find the ground under heel and toe, and tilt the sole towards its slope."""
     offset = me.foot_offset[side]
@@ -180,7 +192,7 @@ def _feel(ground: Ground, rig: Rig, me: Character, side: int, planted: bool, dt:
     me.foot_slope[side, 1] = approach(me.foot_slope[side, 1], goal_z, TILT_TIME, dt)
 
 
-@inner_kernel
+@small_kernel
 def _needed_height(rig: Rig, me: Character, side: int) -> float:
     """Return how far a foot must be raised for its lowest point to touch the ground [m]."""
     needed = 0.0
@@ -191,7 +203,7 @@ def _needed_height(rig: Rig, me: Character, side: int) -> float:
     return needed
 
 
-@inner_kernel
+@small_kernel
 def _rise_below(me: Character, side: int, dt: float) -> float:
     """Return how far the ground has risen under a swinging foot in this step [m], edges apart."""
     below = 0.5 * (me.foot_ground[side, 0] + me.foot_ground[side, 1])
@@ -201,12 +213,14 @@ def _rise_below(me: Character, side: int, dt: float) -> float:
     return rise if rise * rise <= STEEPEST * STEEPEST * (vx * vx + vz * vz) * dt * dt else 0.0
 
 
-@inner_kernel
+@small_kernel
 def _highest_ahead(ground: Ground, me: Character, side: int) -> float:
     """Return how high the ground is under a swinging foot, edges ahead of it included [m].
 
     An even slope is no obstacle: what counts is by how much it rises beyond that.
     """
+    if ground.even:
+        return me.ground_below[side]
     offset, slope = me.foot_offset[side], me.ground_slope[side]
     below, toe = me.ground_below[side], me.world_points[side, 1]
     highest = 0.0
@@ -219,7 +233,7 @@ def _highest_ahead(ground: Ground, me: Character, side: int) -> float:
     return below + highest
 
 
-@inner_kernel
+@small_kernel
 def _grip(me: Character, side: int) -> float:
     """Return how firmly a carrying foot is held: less where its span begins or ends."""
     grip = min(1.0, me.planted_time[side] / GRIP_TIME)
@@ -229,7 +243,7 @@ def _grip(me: Character, side: int) -> float:
     return max(grip, 0.0)
 
 
-@inner_kernel
+@small_kernel
 def _follow_ground(me: Character, dt: float) -> None:
     """Let the root's level follow the ground under both feet."""
     goal = 0.0

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import math
 
-from footfall.compilation import kernel
+from footfall.compilation import kernel, small_kernel
 from footfall.octets import select, square_root
 
 __all__ = [
@@ -26,7 +26,7 @@ __all__ = [
 ]
 
 
-@kernel
+@small_kernel
 def product(
     aw: float, ax: float, ay: float, az: float, bw: float, bx: float, by: float, bz: float
 ) -> tuple[float, float, float, float]:
@@ -39,7 +39,7 @@ def product(
     )
 
 
-@kernel
+@small_kernel
 def quotient(
     aw: float, ax: float, ay: float, az: float, bw: float, bx: float, by: float, bz: float
 ) -> tuple[float, float, float, float]:
@@ -52,7 +52,7 @@ def quotient(
     )
 
 
-@kernel
+@small_kernel
 def rotate(
     qw: float, qx: float, qy: float, qz: float, x: float, y: float, z: float
 ) -> tuple[float, float, float]:
@@ -67,7 +67,7 @@ def rotate(
     )
 
 
-@kernel
+@small_kernel
 def conjugate_rotate(
     qw: float, qx: float, qy: float, qz: float, x: float, y: float, z: float
 ) -> tuple[float, float, float]:
@@ -75,7 +75,7 @@ def conjugate_rotate(
     return rotate(qw, -qx, -qy, -qz, x, y, z)
 
 
-@kernel
+@small_kernel
 def normalize(qw: float, qx: float, qy: float, qz: float) -> tuple[float, float, float, float]:
     """Return q scaled to unit length; the identity where q is zero."""
     length = square_root(qw * qw + qx * qx + qy * qy + qz * qz)
@@ -104,7 +104,7 @@ def nlerp(
     )
 
 
-@kernel
+@small_kernel
 def between(
     ax: float, ay: float, az: float, bx: float, by: float, bz: float
 ) -> tuple[float, float, float, float]:
@@ -123,13 +123,13 @@ def between(
     return normalize(select(opposed, 0.0, w), x, y, z)
 
 
-@kernel
+@small_kernel
 def from_yaw(yaw: float) -> tuple[float, float, float, float]:
     """Return the rotation by an angle [rad] about the vertical, +y; positive turns z to x."""
     return (math.cos(0.5 * yaw), 0.0, math.sin(0.5 * yaw), 0.0)
 
 
-@kernel
+@small_kernel
 def yaw_of(qw: float, qy: float) -> float:
     """Return the angle [rad] of the twist about the vertical of a rotation with these w and y."""
     return 2.0 * math.atan2(qy, qw)

@@ -7,7 +7,7 @@ z, all relative to the root, in single precision. One body is a block that is pa
 from __future__ import annotations
 
 from footfall.arrays import SmallFloats
-from footfall.compilation import kernel
+from footfall.compilation import small_kernel
 from footfall.geometry import quaternions
 from footfall.octet_memory import load, spread, store
 from footfall.octets import LANES, select
@@ -22,7 +22,7 @@ PLACEMENT = 7
 Placement = tuple[Quaternion, Vector]
 
 
-@kernel
+@small_kernel
 def joint_at(poses: SmallFloats, block: int, joint: int) -> Placement:
     """Return rotation and position of a joint of eight bodies.
 
@@ -46,7 +46,7 @@ def joint_at(poses: SmallFloats, block: int, joint: int) -> Placement:
     return rotation, position
 
 
-@kernel
+@small_kernel
 def _put_joint(poses: SmallFloats, block: int, joint: int, where: Placement) -> None:
     at = (block * poses.shape[1] + joint) * PLACEMENT * LANES
     rotation, position = where
@@ -59,7 +59,7 @@ def _put_joint(poses: SmallFloats, block: int, joint: int, where: Placement) -> 
     store(poses, at + 6 * LANES, position[2])
 
 
-@kernel
+@small_kernel
 def _local_rotation(local: SmallFloats, row: int) -> Quaternion:
     """Return a blended rotation of eight bodies: of a joint, or of a foot, which come last."""
     stride = local.shape[1] * LANES
@@ -72,7 +72,7 @@ def _local_rotation(local: SmallFloats, row: int) -> Quaternion:
     )
 
 
-@kernel
+@small_kernel
 def _below_parent(
     rig: Rig, local: SmallFloats, poses: SmallFloats, block: int, joint: int
 ) -> Placement:
@@ -85,7 +85,7 @@ def _below_parent(
     return turned, (px + x, py + y, pz + z)
 
 
-@kernel
+@small_kernel
 def place_chains(
     rig: Rig, local: SmallFloats, pelvis_height: float, poses: SmallFloats, block: int
 ) -> None:
@@ -104,7 +104,7 @@ def place_chains(
         _put_joint(poses, block, joint, _below_parent(rig, local, poses, block, joint))
 
 
-@kernel
+@small_kernel
 def lower_bodies(poses: SmallFloats, block: int, drop: float) -> None:
     """Lower every joint of eight bodies, each by its own amount [m]: an octet."""
     for joint in range(poses.shape[1]):
@@ -112,7 +112,7 @@ def lower_bodies(poses: SmallFloats, block: int, drop: float) -> None:
         store(poses, at, load(poses, at) - drop)
 
 
-@kernel
+@small_kernel
 def reach_ankles(
     rig: Rig,
     side: int,
@@ -155,7 +155,7 @@ def reach_ankles(
         _put_joint(poses, block, joint, _chosen(reaches, new, old))
 
 
-@kernel
+@small_kernel
 def _turned_about(old: Placement, turn: Quaternion, pivot: Vector, new_pivot: Vector) -> Placement:
     """Return a joint turned about a pivot, which itself moves."""
     q, place = old
@@ -172,7 +172,7 @@ def _turned_about(old: Placement, turn: Quaternion, pivot: Vector, new_pivot: Ve
     return turned, (new_pivot[0] + x, new_pivot[1] + y, new_pivot[2] + z)
 
 
-@kernel
+@small_kernel
 def _chosen(where: bool, one: Placement, other: Placement) -> Placement:
     """Return one placement where a claim holds, else the other."""
     (aw, ax, ay, az), (apx, apy, apz) = one

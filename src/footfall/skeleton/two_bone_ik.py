@@ -7,7 +7,7 @@ so straight that there is no plane does the hint decide.
 
 from __future__ import annotations
 
-from footfall.compilation import kernel
+from footfall.compilation import kernel, small_kernel
 from footfall.geometry import quaternions
 from footfall.octets import exponential, greater, select, smaller, square_root
 
@@ -37,7 +37,7 @@ _HINT_MOVE = 0.01
 """Move of the end [m] below which the hint fades away: a limb that stays put stays as it is."""
 
 
-@kernel
+@small_kernel
 def softened_reach(distance: float, length: float, present: float) -> float:
     """Return how far a limb extends for a target at this distance.
 
@@ -58,13 +58,13 @@ def softened_reach(distance: float, length: float, present: float) -> float:
     return select(distance <= start, distance, soft)
 
 
-@kernel
+@small_kernel
 def _bent_length(upper: float, lower: float, distance: float) -> float:
     """Return how far along the line to the target the middle joint stands [m]."""
     return (upper * upper + distance * distance - lower * lower) / (2.0 * distance)
 
 
-@kernel
+@small_kernel
 def _bending_direction(upper: Vector, line: Vector, hint: Vector, moved: float) -> Vector:
     """Return the unit direction across a limb's line in which its middle joint stands."""
     px, py, pz, across = _across(upper, line)
@@ -84,7 +84,7 @@ def _bending_direction(upper: Vector, line: Vector, hint: Vector, moved: float) 
     return px / across, py / across, pz / across
 
 
-@kernel
+@small_kernel
 def _across(vector: Vector, line: Vector) -> tuple[float, float, float, float]:
     """Return the part of a vector across a unit direction, and its length."""
     along = vector[0] * line[0] + vector[1] * line[1] + vector[2] * line[2]
@@ -149,7 +149,7 @@ def reach_point(
     )
 
 
-@kernel
+@small_kernel
 def _unless_turn(stays: bool, turn: Quaternion) -> Quaternion:
     """Return a rotation, or none where a limb stays as it is."""
     return (
@@ -160,7 +160,7 @@ def _unless_turn(stays: bool, turn: Quaternion) -> Quaternion:
     )
 
 
-@kernel
+@small_kernel
 def _unless_moved(stays: bool, old: Vector, new: Vector) -> Vector:
     """Return where a joint goes, or where it was where a limb stays as it is."""
     return (

@@ -7,7 +7,7 @@ or bend a flight; so the progress waits there (S-27), for as long as the fade as
 
 from __future__ import annotations
 
-from footfall.compilation import kernel
+from footfall.compilation import kernel, small_kernel
 
 __all__ = ["advance_progress", "level", "reverse_fade", "smoothstep"]
 
@@ -15,7 +15,7 @@ __all__ = ["advance_progress", "level", "reverse_fade", "smoothstep"]
 _COMPLETE = 1.0 - 1e-13
 
 
-@kernel
+@small_kernel
 def smoothstep(x: float) -> float:
     """Return 0 below 0, 1 above 1, and between them the cubic that is level at both ends."""
     if x <= 0.0:
@@ -25,7 +25,7 @@ def smoothstep(x: float) -> float:
     return x * x * (3.0 - 2.0 * x)
 
 
-@kernel
+@small_kernel
 def level(progress: float) -> float:
     """Return the level, 0..1, of an action that fades in, at this progress of its fade.
 
@@ -34,7 +34,7 @@ def level(progress: float) -> float:
     return smoothstep(progress)
 
 
-@kernel
+@small_kernel
 def advance_progress(
     progress: float, elapsed: float, asked: float, dt: float, pace: float
 ) -> float:
