@@ -68,7 +68,7 @@ def toe_lead(heel_height: float, toe_height: float, heel_speed: float, toe_speed
 @small_kernel
 def approach(value: float, goal: float, time: float, dt: float) -> float:
     """Return a value that has gone towards a goal for `dt`, with this time constant [s]."""
-    return goal + (value - goal) * math.exp(-dt / time)
+    return goal if value == goal else goal + (value - goal) * math.exp(-dt / time)
 
 
 @small_kernel
@@ -79,6 +79,8 @@ def spring(
 
     Exact for any `dt`: cutting it into pieces changes nothing.
     """
+    if value == goal and speed == 0.0:
+        return goal, 0.0
     return settle(value, speed, goal, stiffness, dt, math.exp(-stiffness * dt))
 
 

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy.typing as npt
 
-from footfall.compilation import inner_kernel, kernel
+from footfall.compilation import inner_kernel, lean_kernel
 from footfall.engine.record import SEATS, Character
 from footfall.engine.shelf import Shelf
 from footfall.engine.slots import begin_leaving
@@ -26,7 +26,7 @@ NO_SEAT, WAITS, STARTED = -1, 0, 1
 """What `start_row` returns."""
 
 
-@kernel
+@lean_kernel
 def start_row(
     shelf: Shelf,
     characters: npt.NDArray[Any],
@@ -109,7 +109,7 @@ def _rise_again(shelf: Shelf, me: Character, seat: int) -> None:
         me.fade_elapsed[seat, group] = elapsed
 
 
-@kernel
+@lean_kernel
 def stop_row(shelf: Shelf, characters: npt.NDArray[Any], row: int, action: int) -> None:
     """Stop an action of one character: fade it out, or give up its wait."""
     me: Character = characters[row]

@@ -13,7 +13,7 @@ import numpy.typing as npt
 
 from footfall.adaptation.surfaces import Ground
 from footfall.arrays import SmallFloats
-from footfall.compilation import inlined_kernel, kernel
+from footfall.compilation import inlined_kernel, lean_kernel
 from footfall.engine.clock import pass_time
 from footfall.engine.feet import locate_feet, stand_where_planted
 from footfall.engine.placing import aim_body, place_bodies
@@ -62,7 +62,7 @@ def _advance_row(
     me.fresh = me.placed = False
 
 
-@kernel
+@lean_kernel
 def advance_blocks(
     shelf: Shelf,
     ground: Ground,

@@ -10,7 +10,7 @@ from footfall.adaptation.footprints import settle
 from footfall.adaptation.pelvis import FALL_SPEED, RISE_SPEED, needed_drop
 from footfall.arrays import Positions, Rotations, SmallFloats
 from footfall.blending.root import mix_point
-from footfall.compilation import kernel, small_kernel
+from footfall.compilation import lean_kernel, small_kernel
 from footfall.engine.record import Character
 from footfall.engine.state import Workspace
 from footfall.geometry import quaternions, transforms
@@ -66,13 +66,14 @@ def _placed_ankle(
     """
     leg = rig.leg_length
     offset = me.foot_offset[side]
-    x, z = transforms.apply(0.0, 0.0, -me.root[2], offset[0], offset[2])
+    cosine, sine = me.facing[0], -me.facing[1]
+    x, z = transforms.turn(cosine, sine, offset[0], offset[2])
     if me.tilt[side, 0] == 0.0 and me.tilt[side, 1] == 0.0:
         return ankle[0] + x, ankle[1] + offset[1], ankle[2] + z
     px = leg * mix_point(me.points, side, 0.5, 0)
     py = leg * mix_point(me.points, side, 0.5, 1)
     pz = leg * mix_point(me.points, side, 0.5, 2)
-    slope_x, slope_z = transforms.apply(0.0, 0.0, -me.root[2], me.tilt[side, 0], me.tilt[side, 1])
+    slope_x, slope_z = transforms.turn(cosine, sine, me.tilt[side, 0], me.tilt[side, 1])
     q = quaternions.between(0.0, 1.0, 0.0, -slope_x, 1.0, -slope_z)
     ax, ay, az = quaternions.rotate(
         q[0], q[1], q[2], q[3], ankle[0] - px, ankle[1] - py, ankle[2] - pz
@@ -148,7 +149,7 @@ def _lower_pelvis(
     return select(reaches, new_drop, 0.0)
 
 
-@kernel
+@lean_kernel
 def world_poses_of(
     characters: npt.NDArray[Any],
     poses: SmallFloats,

@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import math
+from typing import cast
+
+import numpy as np
 
 from footfall.adaptation.footprints import ROLL_TIME, SPEED_TIME, approach, toe_lead
 from footfall.arrays import Positions
@@ -23,6 +26,9 @@ __all__ = ["blend_poses", "move_root"]
 LEGS = int(BodyPart.LEGS)
 PARTS = len(BodyPart)
 
+# Typed numbers: a literal would have what it is passed to compiled twice.
+NEUTRAL, NONE_YET = cast(int, np.int64(SEATS)), cast(int, np.int64(0))
+
 
 @small_kernel
 def blend_poses(shelf: Shelf, rig: Rig, me: Character, work: Workspace, lane: int) -> None:
@@ -32,7 +38,7 @@ def blend_poses(shelf: Shelf, rig: Rig, me: Character, work: Workspace, lane: in
     """
     me.way[:] = 0.0
     me.slides[:] = 0.0
-    count = 0
+    count = NONE_YET
     for seat in range(me.occupied):
         if me.status[seat] < RUNNING:
             continue
@@ -40,7 +46,7 @@ def blend_poses(shelf: Shelf, rig: Rig, me: Character, work: Workspace, lane: in
         read_points(shelf, frame, fraction, work.points)
         _add_way(shelf, me, seat, work.points)
         count += _add_layer(me, seat, frame, fraction, work.layers, count)
-    count += _add_layer(me, SEATS, shelf.keys.shape[0] - 1, 0.0, work.layers, count)
+    count += _add_layer(me, NEUTRAL, shelf.keys.shape[0] - 1, 0.0, work.layers, count)
     blended = work.blended[lane]
     blend_layers(shelf.keys, work.layers, count, rig.part_masks, blended)
     for i in range(EFFECTORS):
@@ -100,6 +106,7 @@ def move_root(rig: Rig, me: Character, dt: float) -> None:
     root[0], root[1], root[2] = transforms.compose(
         root[0], root[1], root[2], step_x * rig.leg_length, step_z * rig.leg_length, turn
     )
+    me.facing[0], me.facing[1] = math.cos(root[2]), math.sin(root[2])
     for side in range(2):
         for point in range(2):
             for axis in range(3):

@@ -30,6 +30,9 @@ class Character:
     root: Annotated[Floats, 3]
     """Where the root is on the ground: x [m], z [m], heading [rad], shape (3,)."""
 
+    facing: Annotated[Floats, 2]
+    """Cosine and sine of that heading, as of the pose shown last, shape (2,)."""
+
     level: Annotated[Floats, 2]
     """Height of the root's own level, on which the blended pose stands [m], and how fast it
     changes [m/s], shape (2,)."""

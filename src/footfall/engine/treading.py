@@ -113,11 +113,12 @@ def _tilt_points(rig: Rig, me: Character, side: int) -> None:
     if me.foot_slope[side, 0] == 0.0 and me.foot_slope[side, 1] == 0.0:
         me.tilt[side, 0] = me.tilt[side, 1] = 0.0
         for point in range(2):
-            x, z = leg * points[point, 0], leg * points[point, 2]
-            x, z = transforms.apply(root[0], root[1], root[2], x, z)
-            me.world_points[side, point, 0] = x
+            x, z = transforms.turn(
+                me.facing[0], me.facing[1], leg * points[point, 0], leg * points[point, 2]
+            )
+            me.world_points[side, point, 0] = root[0] + x
             me.world_points[side, point, 1] = leg * points[point, 1]
-            me.world_points[side, point, 2] = z
+            me.world_points[side, point, 2] = root[1] + z
             me.tilt_rise[side, point] = 0.0
         return
     me.tilt[side, 0], me.tilt[side, 1] = me.foot_slope[side, 0], me.foot_slope[side, 1]

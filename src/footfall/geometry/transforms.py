@@ -10,7 +10,7 @@ import numpy as np
 
 from footfall.compilation import small_kernel
 
-__all__ = ["apply", "compose", "inverse", "relative"]
+__all__ = ["apply", "compose", "inverse", "relative", "turn"]
 
 
 @small_kernel
@@ -28,6 +28,12 @@ def apply(
     """
     cosine, sine = np.cos(heading), np.sin(heading)
     return (frame_x + cosine * x + sine * z, frame_z - sine * x + cosine * z)
+
+
+@small_kernel
+def turn(cosine: float, sine: float, x: float, z: float) -> tuple[float, float]:
+    """Return a direction (x, z) of a frame with this heading as seen from outside."""
+    return (cosine * x + sine * z, cosine * z - sine * x)
 
 
 @small_kernel
