@@ -25,6 +25,7 @@ Function = TypeVar("Function", bound=Callable[..., Any])
 
 LEAVES = frozenset(
     {
+        "benchmark",
         "cli",
         "datasets",
         "detection",

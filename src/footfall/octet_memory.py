@@ -8,6 +8,7 @@ shape; arrays are contiguous.
 # pyright: reportUnknownVariableType=false, reportUnknownParameterType=false
 # pyright: reportMissingParameterType=false, reportMissingTypeStubs=false
 # pyright: reportUnusedFunction=false, reportUntypedFunctionDecorator=false
+# ruff: noqa: ARG001
 from __future__ import annotations
 
 from collections.abc import Callable

@@ -12,7 +12,7 @@ Every operation is the same for all eight: what a character does never depends o
 # pyright: reportUnknownMemberType=false, reportUnknownArgumentType=false
 # pyright: reportUnknownVariableType=false, reportUnknownParameterType=false
 # pyright: reportMissingParameterType=false, reportMissingTypeStubs=false
-# pyright: reportUnusedFunction=false, reportUnknownLambdaType=false, reportUntypedFunctionDecorator=false
+# pyright: reportOptionalCall=false, reportUnusedFunction=false, reportUnknownLambdaType=false, reportUntypedFunctionDecorator=false
 from __future__ import annotations
 
 import operator
@@ -116,9 +116,7 @@ for _symbol, _sign in (
         claims,
         lambda builder, one, other, sign=_sign: builder.fcmp_ordered(sign, one, other),
     )
-infer_global(operator.neg)(
-    type("_neg", (ConcreteTemplate,), {"cases": [signature(octet, octet)]})
-)
+infer_global(operator.neg)(type("_neg", (ConcreteTemplate,), {"cases": [signature(octet, octet)]}))
 
 
 @lower_builtin(operator.neg, octet)

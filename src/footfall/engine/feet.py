@@ -6,13 +6,14 @@ from footfall.arrays import SmallFloats
 from footfall.compilation import small_kernel
 from footfall.engine.record import SEATS, Character
 from footfall.engine.shelf import Shelf
-from footfall.geometry import quaternions
+from footfall.geometry import quaternions, transforms
 from footfall.octets import LANES
 from footfall.skeleton import BodyPart
 from footfall.skeleton.normalized import ANKLES
+from footfall.skeleton.rig import Rig
 from footfall.support import Support
 
-__all__ = ["carries", "locate_feet", "stand_where_planted"]
+__all__ = ["carries", "locate_feet", "stand_level", "stand_where_planted"]
 
 LEGS = int(BodyPart.LEGS)
 LEFT_FOOT = int(Support.LEFT) & ~int(Support.RIGHT)
@@ -80,3 +81,17 @@ def locate_feet(shelf: Shelf, me: Character, blended: SmallFloats) -> None:
             me.points[side, point, 1] = y + me.effectors[2 + 3 * side]
             me.points[side, point, 2] = z + me.effectors[3 + 3 * side]
             me.heights[side, point] = me.points[side, point, 1] - resting
+
+
+@small_kernel
+def stand_level(rig: Rig, me: Character, side: int) -> None:
+    """Write heel and toe of a foot in the world, its sole not tilted."""
+    me.tilt[side, 0] = me.tilt[side, 1] = 0.0
+    for point in range(2):
+        own = me.points[side, point]
+        leg = rig.leg_length
+        x, z = transforms.turn(me.facing[0], me.facing[1], leg * own[0], leg * own[2])
+        me.world_points[side, point, 0] = me.root[0] + x
+        me.world_points[side, point, 1] = leg * own[1]
+        me.world_points[side, point, 2] = me.root[1] + z
+        me.tilt_rise[side, point] = 0.0

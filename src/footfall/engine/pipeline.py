@@ -13,12 +13,12 @@ import numpy.typing as npt
 
 from footfall.adaptation.surfaces import Ground
 from footfall.arrays import SmallFloats
-from footfall.compilation import inlined_kernel, lean_kernel
+from footfall.compilation import inlined_kernel, lean_kernel, small_kernel
 from footfall.engine.clock import pass_time
 from footfall.engine.feet import locate_feet, stand_where_planted
-from footfall.engine.placing import aim_body, place_bodies
+from footfall.engine.placing import STEP, aim_body, place_bodies
 from footfall.engine.pose import blend_poses, move_root
-from footfall.engine.record import Character
+from footfall.engine.record import HALF_RATE, Character
 from footfall.engine.shelf import Shelf
 from footfall.engine.state import Workspace
 from footfall.engine.treading import keep_footprints, ride
@@ -30,6 +30,10 @@ __all__ = ["LONGEST_STEP", "advance_blocks"]
 
 LONGEST_STEP = 1.0 / 30.0
 """Longest time between two poses [s]; a longer advance is cut into equal steps."""
+
+
+LEFT_OUT = -1.0
+"""Stands for the time of a row that is left out."""
 
 
 @inlined_kernel
@@ -62,6 +66,22 @@ def _advance_row(
     me.fresh = me.placed = False
 
 
+@small_kernel
+def _time_due(me: Character, dt: float) -> float:
+    """Return how much time a row has to advance now [s], or less than 0 if it leaves this out."""
+    if not me.present:
+        return LEFT_OUT
+    if me.detail != HALF_RATE:
+        return dt
+    me.rests = not me.rests
+    me.owed += dt
+    if me.rests:
+        return LEFT_OUT
+    due = me.owed
+    me.owed = 0.0
+    return due
+
+
 @lean_kernel
 def advance_blocks(
     shelf: Shelf,
@@ -92,8 +112,14 @@ def advance_blocks(
     steps = max(1, math.ceil(dt / LONGEST_STEP - 1e-9))
     for block in range(first, end):
         for _ in range(steps):
+            anybody = False
             for lane in range(min(LANES, characters.shape[0] - block * LANES)):
                 me: Character = characters[block * LANES + lane]
-                _advance_row(shelf, ground, rig, me, work, rules, dt / steps, lane)
+                time = _time_due(me, dt / steps)
+                work.aims[STEP, lane] = time
+                if time >= 0.0:
+                    anybody = True
+                    _advance_row(shelf, ground, rig, me, work, rules, time, lane)
             # 8. Eight bodies at once: their lengths, their legs on their footprints.
-            place_bodies(rig, characters, work, poses, block, dt / steps)
+            if anybody:
+                place_bodies(rig, characters, work, poses, block)

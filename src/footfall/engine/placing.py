@@ -11,12 +11,13 @@ from footfall.adaptation.pelvis import FALL_SPEED, RISE_SPEED, needed_drop
 from footfall.arrays import Positions, Rotations, SmallFloats
 from footfall.blending.root import mix_point
 from footfall.compilation import lean_kernel, small_kernel
-from footfall.engine.record import Character
+from footfall.engine.record import NO_REACHING, Character
 from footfall.engine.state import Workspace
 from footfall.geometry import quaternions, transforms
 from footfall.octet_memory import load, store, transpose
 from footfall.octets import LANES, exponential, greater, select
 from footfall.skeleton.octet_poses import (
+    PLACEMENT,
     joint_at,
     lower_bodies,
     place_chains,
@@ -24,10 +25,11 @@ from footfall.skeleton.octet_poses import (
 )
 from footfall.skeleton.rig import Rig
 
-__all__ = ["aim_body", "place_bodies", "world_poses_of"]
+__all__ = ["STEP", "aim_body", "place_bodies", "world_poses_of"]
 
-HEIGHT, DROP, DROP_SPEED, REACHES, ANKLE, OFFSET = 0, 1, 2, 3, 4, 10
-"""Rows of `Workspace.aims`: the pelvis' height over the root, how far it is lowered and how fast
+STEP, HEIGHT, DROP, DROP_SPEED, REACHES, ANKLE, OFFSET = 0, 1, 2, 3, 4, 5, 11
+"""Rows of `Workspace.aims`: the time step [s], less than 0 for a row that is left out; the pelvis'
+height over the root, how far it is lowered and how fast
 that changes [m], [m/s]; whether the legs reach at all; the ankles of the blended pose and how far
 footprints move them, three numbers a foot [m]."""
 
@@ -38,7 +40,7 @@ def aim_body(rig: Rig, me: Character, work: Workspace, lane: int) -> None:
     leg, aims = rig.leg_length, work.aims
     aims[HEIGHT, lane] = leg * me.effectors[0]
     aims[DROP, lane], aims[DROP_SPEED, lane] = me.pelvis_drop[0], me.pelvis_drop[1]
-    aims[REACHES, lane] = 1.0 if me.synchronized else 0.0
+    aims[REACHES, lane] = 1.0 if me.synchronized and me.detail != NO_REACHING else 0.0
     if not me.synchronized:
         return
     for side in range(2):
@@ -102,25 +104,41 @@ def place_bodies(
     work: Workspace,
     poses: SmallFloats,
     block: int,
-    dt: float,
 ) -> None:
     """Give eight poses their body's lengths, their feet their footprints (stage 8)."""
+    rows = min(LANES, characters.shape[0] - block * LANES)
+    for lane in range(rows):
+        if work.aims[STEP, lane] < 0.0:
+            for joint in range(poses.shape[1]):
+                for i in range(PLACEMENT):
+                    work.kept[lane, joint, i] = poses[block, joint, i, lane]
+    _place_all(rig, work, poses, block)
+    for lane in range(rows):
+        if work.aims[STEP, lane] < 0.0:
+            for joint in range(poses.shape[1]):
+                for i in range(PLACEMENT):
+                    poses[block, joint, i, lane] = work.kept[lane, joint, i]
+        else:
+            me: Character = characters[block * LANES + lane]
+            me.pelvis_drop[0] = work.aims[DROP, lane]
+            me.pelvis_drop[1] = work.aims[DROP_SPEED, lane]
+
+
+@small_kernel
+def _place_all(rig: Rig, work: Workspace, poses: SmallFloats, block: int) -> None:
+    """Place all eight, those that are left out too."""
     stride = work.blended.shape[1]
     for row in range(0, stride - LANES, LANES):
         transpose(work.blended, row, stride, work.local, row * LANES)
     place_chains(rig, work.local, load(work.aims, HEIGHT * LANES), poses, block)
     reaches = load(work.aims, REACHES * LANES) > 0.5
-    drop = _lower_pelvis(rig, work.aims, poses, block, reaches, dt)
+    drop = _lower_pelvis(rig, work.aims, poses, block, reaches)
     lower_bodies(poses, block, drop)
     for side in range(2):
         x, y, z = _aim(work.aims, ANKLE + 3 * side)
         dx, dy, dz = _aim(work.aims, OFFSET + 3 * side)
         ankle = (x + dx, y + dy, z + dz)
         reach_ankles(rig, side, work.local, ankle, reaches, poses, block)
-    for lane in range(min(LANES, characters.shape[0] - block * LANES)):
-        me: Character = characters[block * LANES + lane]
-        me.pelvis_drop[0] = work.aims[DROP, lane]
-        me.pelvis_drop[1] = work.aims[DROP_SPEED, lane]
 
 
 @small_kernel
@@ -131,7 +149,7 @@ def _aim(aims: SmallFloats, row: int) -> tuple[float, float, float]:
 
 @small_kernel
 def _lower_pelvis(
-    rig: Rig, aims: SmallFloats, poses: SmallFloats, block: int, reaches: bool, dt: float
+    rig: Rig, aims: SmallFloats, poses: SmallFloats, block: int, reaches: bool
 ) -> float:
     """Let eight pelvises sink as far as their legs need, and rise again; return how far [m]."""
     needed = select(reaches, 0.0, 0.0)
@@ -141,8 +159,8 @@ def _lower_pelvis(
         needed = greater(needed, needed_drop(rig.leg_length, hip, ankle, offset))
     drop, speed = load(aims, DROP * LANES), load(aims, DROP_SPEED * LANES)
     falls = needed > drop
-    stiffness = select(falls, FALL_SPEED, RISE_SPEED)
-    decay = select(falls, exponential(-FALL_SPEED * dt), exponential(-RISE_SPEED * dt))
+    stiffness, dt = select(falls, FALL_SPEED, RISE_SPEED), load(aims, STEP * LANES)
+    decay = exponential(-stiffness * dt)
     new_drop, new_speed = settle(drop, speed, needed, stiffness, dt, decay)
     store(aims, DROP * LANES, select(reaches, new_drop, drop))
     store(aims, DROP_SPEED * LANES, select(reaches, new_speed, speed))

@@ -7,12 +7,15 @@ from typing import Annotated
 from footfall.arrays import Flags, Floats, Indices, Positions, Seconds, Supports, Weights
 from footfall.skeleton import BodyPart
 
-__all__ = ["COLUMNS", "SEATS", "Character"]
+__all__ = ["COLUMNS", "FULL", "HALF_RATE", "NO_REACHING", "SEATS", "Character"]
 
 SEATS = 8
 """How many actions a character can run, wait for and fade out of at the same time."""
 
 PARTS = len(BodyPart)
+
+FULL, NO_REACHING, HALF_RATE = 0, 1, 2
+"""Values of `Character.detail`: everything; no legs that reach; every second frame only."""
 
 COLUMNS = -1
 """Stands for the columns of the window, look-ahead + 2."""
@@ -31,7 +34,7 @@ class Character:
     """Where the root is on the ground: x [m], z [m], heading [rad], shape (3,)."""
 
     facing: Annotated[Floats, 2]
-    """Cosine and sine of that heading, as of the pose shown last, shape (2,)."""
+    """Cosine and sine of that heading in the pose shown last, shape (2,)."""
 
     level: Annotated[Floats, 2]
     """Height of the root's own level, on which the blended pose stands [m], and how fast it
@@ -75,6 +78,18 @@ class Character:
 
     placed: bool
     """Whether it was put somewhere since the pose shown last: there are no footprints then."""
+
+    present: bool
+    """Whether there is anybody in this row."""
+
+    detail: int
+    """How much is worked out: `FULL`, `NO_REACHING` or `HALF_RATE`."""
+
+    rests: bool
+    """Whether a row at half rate has left this frame out."""
+
+    owed: float
+    """Time that it has left out [s]."""
 
     support: int
     """What carries the body now."""
@@ -155,8 +170,7 @@ class Character:
     """Blended pelvis height and ankle positions, shape (7,)."""
 
     way: Annotated[Floats, 3]
-    """Where the motions take the root in this step, seen from where it was: x and z in leg lengths,
-    heading [rad], shape (3,)."""
+    """Where the motions take the root in this step: x, z in leg lengths, heading [rad], (3,)."""
 
     points: Annotated[Positions, 2, 2, 3]
     """Heel and toe of the blended feet, relative to the root, in leg lengths, (2, 2, 3)."""
@@ -189,35 +203,20 @@ class Character:
 
     playing: Annotated[Flags, SEATS]
     """The synchronizer's window, as `footfall.sync.Window`, whose arrays follow."""
-
     sequence: Annotated[Indices, SEATS]
-
     priority: Annotated[Floats, SEATS]
-
     age: Annotated[Indices, SEATS]
-
     weight: Annotated[Weights, SEATS]
-
     remaining: Annotated[Seconds, SEATS]
-
     phases: Annotated[Indices, SEATS, COLUMNS]
-
     results: Annotated[Supports, COLUMNS]
-
     held: Annotated[Indices, SEATS]
-
     muted: Annotated[Flags, SEATS]
-
     durations: Annotated[Seconds, COLUMNS]
-
     pace: Annotated[Floats, SEATS, 2]
-
     slot_offset: Annotated[Seconds, 1]
-
     steady: Annotated[Seconds, 1]
-
     spare_phases: Annotated[Indices, SEATS, COLUMNS]
-
     spare_results: Annotated[Supports, COLUMNS]
 
     priorities: Annotated[Floats, SEATS, PARTS]

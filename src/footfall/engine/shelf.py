@@ -175,9 +175,7 @@ def _root_at(roots: Floats, frame: int, fraction: float) -> tuple[float, float, 
 
 
 @small_kernel
-def travel(
-    roots: Floats, entry: Entry, before: float, after: float
-) -> tuple[float, float, float]:
+def travel(roots: Floats, entry: Entry, before: float, after: float) -> tuple[float, float, float]:
     """Return where the root of a clip is at one time as seen from where it was at another.
 
     Args:
@@ -232,9 +230,7 @@ def read_points(shelf: Shelf, frame: int, fraction: float, out: Positions) -> No
 
 
 @small_kernel
-def _key_between(
-    keys: SmallFloats, frame: int, after: int, fraction: float, column: int
-) -> float:
+def _key_between(keys: SmallFloats, frame: int, after: int, fraction: float, column: int) -> float:
     one = float(keys[frame, column])
     return one + fraction * (float(keys[after, column]) - one)
 

@@ -13,6 +13,7 @@ from footfall.engine.record import COLUMNS, SEATS, Character
 from footfall.octets import LANES
 from footfall.skeleton import BodyPart
 from footfall.skeleton.normalized import padded_count
+from footfall.skeleton.octet_poses import PLACEMENT
 from footfall.support import Support
 from footfall.sync.search_memory import new_search_memory
 from footfall.sync.tables import ABSENT
@@ -40,7 +41,7 @@ GIVES_UP, STARTS_MUTED = 0, 1
 """What `Character.late` says of a seat."""
 
 
-AIMS = 16
+AIMS = 17
 """Rows of `Workspace.aims`."""
 
 
@@ -49,6 +50,9 @@ class Workspace(NamedTuple):
 
     search: npt.NDArray[Any]
     """That of the planner: one `footfall.sync.search_memory.SearchMemory`."""
+
+    kept: SmallFloats
+    """Poses that are shown once more, shape (8, joints, 7)."""
 
     points: Positions
     """Heel and toe of each foot of one motion, in leg lengths, shape (2, 2, 3)."""
@@ -106,6 +110,7 @@ def new_characters(rows: int, lookahead: int) -> npt.NDArray[Any]:
     characters = np.zeros(rows, dtype=character_type(lookahead))
     characters["synchronized"] = 1
     characters["printed"] = 1
+    characters["present"] = 1
     characters["fresh"] = 1
     characters["placed"] = 1
     characters["weights"][:, SEATS] = 1.0
@@ -121,6 +126,7 @@ def new_workspace(joints: int) -> Workspace:
     rows, layers = padded_count(joints), SEATS + 1
     return Workspace(
         new_search_memory(),
+        np.zeros((LANES, joints, PLACEMENT), dtype=np.float32),
         np.zeros((2, 2, 3)),
         Layers(
             np.zeros(layers, dtype=np.int64),

@@ -12,7 +12,7 @@ from footfall.adaptation.footprints import (
 from footfall.adaptation.surfaces import Ground, carry, probe
 from footfall.blending.root import mix_point
 from footfall.compilation import small_kernel
-from footfall.engine.feet import carries
+from footfall.engine.feet import carries, stand_level
 from footfall.engine.record import Character
 from footfall.geometry import quaternions, transforms
 from footfall.skeleton.rig import Rig
@@ -111,15 +111,7 @@ def _tilt_points(rig: Rig, me: Character, side: int) -> None:
     """Write heel and toe in the world, the sole tilted about its middle as the ground is."""
     root, leg, points = me.root, rig.leg_length, me.points[side]
     if me.foot_slope[side, 0] == 0.0 and me.foot_slope[side, 1] == 0.0:
-        me.tilt[side, 0] = me.tilt[side, 1] = 0.0
-        for point in range(2):
-            x, z = transforms.turn(
-                me.facing[0], me.facing[1], leg * points[point, 0], leg * points[point, 2]
-            )
-            me.world_points[side, point, 0] = root[0] + x
-            me.world_points[side, point, 1] = leg * points[point, 1]
-            me.world_points[side, point, 2] = root[1] + z
-            me.tilt_rise[side, point] = 0.0
+        stand_level(rig, me, side)
         return
     me.tilt[side, 0], me.tilt[side, 1] = me.foot_slope[side, 0], me.foot_slope[side, 1]
     w, qx, qy, qz = quaternions.between(0.0, 1.0, 0.0, -me.tilt[side, 0], 1.0, -me.tilt[side, 1])
