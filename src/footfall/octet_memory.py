@@ -14,6 +14,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any, cast
 
+import numpy.typing as npt
 from llvmlite import ir
 from numba import types
 from numba.core import cgutils
@@ -23,10 +24,13 @@ from numba.extending import intrinsic
 from footfall.arrays import SmallFloats
 from footfall.octets import LANES, NUMBERS, octet, widen
 
-__all__ = ["load", "spread", "store", "transpose"]
+__all__ = ["fetch_ahead", "load", "spread", "store", "transpose"]
 
 NUMBER = 4
 """Bytes of one number."""
+
+LINE = 64
+"""Bytes that a processor fetches at a time."""
 
 
 def _place(context: Any, builder: Any, kind: Any, array: Any, index: Any) -> Any:
@@ -99,6 +103,27 @@ def _transpose(_: Any, array: Any, place: Any, stride: Any, out: Any, out_place:
     args = (array, types.intp, types.intp, out, types.intp)
     return signature(types.void, *args), generate
 
+
+@intrinsic
+def _fetch_ahead(_: Any, records: Any, index: Any, size: Any) -> Any:
+    def generate(context: Any, builder: Any, sig: Any, values: Any) -> Any:
+        records, index, size = values
+        data = cgutils.create_struct_proxy(sig.args[0])(context, builder, value=records).data
+        one = builder.bitcast(builder.gep(data, [index]), ir.IntType(8).as_pointer())
+        number = ir.IntType(32)
+        kind = ir.FunctionType(ir.VoidType(), [one.type, number, number, number])
+        fetch = cgutils.get_or_insert_function(builder.module, kind, "llvm.prefetch.p0")
+        lines = builder.udiv(size, ir.Constant(size.type, LINE))
+        with cgutils.for_range(builder, lines) as loop:
+            place = builder.gep(one, [builder.mul(loop.index, ir.Constant(size.type, LINE))])
+            builder.call(fetch, [place, *(ir.Constant(number, each) for each in (1, 3, 1))])
+        return context.get_dummy_value()
+
+    return signature(types.void, records, types.intp, types.intp), generate
+
+
+fetch_ahead = cast(Callable[[npt.NDArray[Any], int, int], None], _fetch_ahead)
+"""Bid the processor have the first bytes, so many, of a record of an array at hand soon."""
 
 load = cast(Callable[[SmallFloats, int], float], _load)
 """Return the octet at a place of an array."""

@@ -1,6 +1,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Callable
 
 import pytest
 
@@ -20,7 +21,11 @@ def test_a_budget_that_is_not_met_is_marked() -> None:
 def test_the_command_ends_with_the_table_as_json(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    monkeypatch.setattr(benchmark, "measure_all", lambda tell: tell("measuring ...") or ROWS)
+    def measured(tell: Callable[[str], None]) -> list[Row]:
+        tell("measuring ...")
+        return ROWS
+
+    monkeypatch.setattr(benchmark, "measure_all", measured)
     assert main(["bench", "--json"]) == 0
     shown = capsys.readouterr()
     assert json.loads(shown.out.splitlines()[-1]) == json.loads(rows_json(ROWS))

@@ -87,15 +87,16 @@ def test_a_frame_leaves_no_memory_behind(library: ff.MotionLibrary) -> None:
         crowd.advance(DT)
     tracemalloc.start()
     try:
-        for _ in range(5):
+        for _ in range(40):
             crowd.advance(DT)
         before, _ = tracemalloc.get_traced_memory()
-        for _ in range(60):
+        for _ in range(160):
             crowd.advance(DT)
         after, peak = tracemalloc.get_traced_memory()
     finally:
         tracemalloc.stop()
-    assert after - before < 4096
+    # Less than the smallest object a frame would leave, and what threads keep for themselves.
+    assert after - before < 6400
     assert peak - before < 65536
 
 
@@ -172,7 +173,8 @@ def test_a_snapshot_takes_the_crowd_back(library: ff.MotionLibrary, tmp_path: An
     for frame in range(50):
         command(crowd, frame, None)
         crowd.advance(DT)
-    np.savez(tmp_path / "crowd.npz", **crowd.snapshot())
+    arrays: Any = crowd.snapshot()
+    np.savez(tmp_path / "crowd.npz", **arrays)
     for frame in range(50, 140):
         command(crowd, frame, None)
         crowd.advance(DT)

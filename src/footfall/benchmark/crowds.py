@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import time
-from typing import cast
-
 import numpy as np
 
 from footfall.benchmark.rows import Row, seconds_each
@@ -137,4 +135,4 @@ def _replan() -> float:
 
 
 def _bytes(crowd: Crowd) -> float:
-    return cast(float, (crowd.characters.nbytes + crowd.poses.nbytes) / crowd.size)
+    return (crowd.characters.nbytes + crowd.poses.nbytes) / crowd.size

@@ -48,8 +48,9 @@ def _blended(task: Task, rows: slice) -> SmallFloats:
         dots = np.einsum("nci,nci->ni", total, q[:, layer])
         total += q[:, layer] * np.copysign(shares[:, layer], dots)[:, np.newaxis]
     length = np.sqrt(np.einsum("nci,nci->ni", total, total))
-    total /= np.where(length > 0.0, length, 1.0)[:, np.newaxis]
-    return total.transpose(0, 2, 1)
+    length[length == 0.0] = 1.0
+    total /= length[:, np.newaxis]
+    return np.asarray(total.transpose(0, 2, 1), dtype=np.float32)
 
 
 def _chains(task: Task, local: SmallFloats, height: SmallFloats) -> SmallFloats:

@@ -22,6 +22,7 @@ from footfall.engine.record import HALF_RATE, Character
 from footfall.engine.shelf import Shelf
 from footfall.engine.state import Workspace
 from footfall.engine.treading import keep_footprints, ride
+from footfall.octet_memory import fetch_ahead
 from footfall.octets import LANES
 from footfall.skeleton.rig import Rig
 from footfall.sync.tables import Rules
@@ -31,6 +32,9 @@ __all__ = ["LONGEST_STEP", "advance_blocks"]
 LONGEST_STEP = 1.0 / 30.0
 """Longest time between two poses [s]; a longer advance is cut into equal steps."""
 
+
+OFTEN_USED = 3264
+"""Bytes of a record that every frame uses: the fields up to the synchronizer's window."""
 
 LEFT_OUT = -1.0
 """Stands for the time of a row that is left out."""
@@ -114,7 +118,9 @@ def advance_blocks(
         for _ in range(steps):
             anybody = False
             for lane in range(min(LANES, characters.shape[0] - block * LANES)):
-                me: Character = characters[block * LANES + lane]
+                row = block * LANES + lane
+                fetch_ahead(characters, min(row + 1, characters.shape[0] - 1), OFTEN_USED)
+                me: Character = characters[row]
                 time = _time_due(me, dt / steps)
                 work.aims[STEP, lane] = time
                 if time >= 0.0:

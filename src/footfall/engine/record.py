@@ -203,15 +203,15 @@ class Character:
 
     playing: Annotated[Flags, SEATS]
     """The synchronizer's window, as `footfall.sync.Window`, whose arrays follow."""
+    muted: Annotated[Flags, SEATS]
+    results: Annotated[Supports, COLUMNS]
     sequence: Annotated[Indices, SEATS]
     priority: Annotated[Floats, SEATS]
     age: Annotated[Indices, SEATS]
     weight: Annotated[Weights, SEATS]
     remaining: Annotated[Seconds, SEATS]
     phases: Annotated[Indices, SEATS, COLUMNS]
-    results: Annotated[Supports, COLUMNS]
     held: Annotated[Indices, SEATS]
-    muted: Annotated[Flags, SEATS]
     durations: Annotated[Seconds, COLUMNS]
     pace: Annotated[Floats, SEATS, 2]
     slot_offset: Annotated[Seconds, 1]
