@@ -111,7 +111,9 @@ def test_who_began_earlier_is_where_it_would_be(library: ff.MotionLibrary) -> No
     for _ in range(30):
         crowd.advance(DT)
     assert float(crowd.characters["clip_time"][0, 0]) == pytest.approx(early[1], abs=1e-9)
-    assert np.abs(relative(crowd, 0) - early[0]).max() < 2e-3
+    # Legs stand on footprints, which are where the feet have come down.
+    trunk = library.rig().leg_sides < 0
+    assert np.abs(relative(crowd, 0) - early[0])[trunk].max() < 1e-5
 
 
 def test_only_who_has_shown_nothing_can_be_ahead(library: ff.MotionLibrary) -> None:
