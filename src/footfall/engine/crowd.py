@@ -83,11 +83,11 @@ class Crowd(Standing, Commanding, Populating):
         self._newborn = new_characters(1, lookahead)
         self._newborn["synchronized"] = synchronized
         self._newborn["printed"] = footprints and synchronized
-        self.ground = Plane() if ground is None else ground
         self._characters = self._newborn[:0]
         self._poses = self._blank_poses(0)
         self._make_room(size)
         self._characters["present"] = 1
+        self.ground = Plane() if ground is None else ground
 
     def _blank_poses(self, rows: int) -> SmallFloats:
         shape = (blocks_of(rows), self.skeleton.count, PLACEMENT, LANES)
