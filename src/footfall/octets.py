@@ -26,7 +26,17 @@ from numba.core.datamodel import models
 from numba.core.typing.templates import ConcreteTemplate, infer_global, signature
 from numba.extending import intrinsic, lower_builtin, register_model
 
-__all__ = ["LANES", "exponential", "greater", "select", "smaller", "square_root"]
+__all__ = [
+    "LANES",
+    "NUMBERS",
+    "exponential",
+    "greater",
+    "octet",
+    "select",
+    "smaller",
+    "square_root",
+    "widen",
+]
 
 LANES = 8
 """How many numbers an octet holds."""

@@ -12,7 +12,7 @@ from footfall.compilation import kernel
 from footfall.geometry import multiply, quaternions, rotate
 from footfall.skeleton.kinematics import pose_forward
 from footfall.skeleton.rig import FOOT, THIGH
-from footfall.skeleton.two_bone_ik import reach_point
+from footfall.skeleton.two_bone_ik import Quaternion, Vector, reach_point
 
 __all__ = ["work_in_numpy", "work_one_by_one"]
 
@@ -140,25 +140,37 @@ def _reach(
             for i in range(4):
                 q[i] = local[rig.parents.shape[0] + side, i]
             continue
-        turn, pivot, place = lower, knees, bent
-        if segment == THIGH:
-            turn, pivot, place = upper, hips, hips
         if segment == FOOT:
             _follow(task, joint, local, rotations, positions)
-            continue
-        x, y, z = quaternions.rotate(
-            turn[0],
-            turn[1],
-            turn[2],
-            turn[3],
-            p[joint, 0] - pivot[0],
-            p[joint, 1] - pivot[1],
-            p[joint, 2] - pivot[2],
-        )
-        p[joint, 0], p[joint, 1], p[joint, 2] = place[0] + x, place[1] + y, place[2] + z
-        q[0], q[1], q[2], q[3] = quaternions.product(
-            turn[0], turn[1], turn[2], turn[3], q[0], q[1], q[2], q[3]
-        )
+        elif segment == THIGH:
+            _turn(upper, hips, hips, joint, rotations, positions)
+        else:
+            _turn(lower, knees, bent, joint, rotations, positions)
+
+
+@kernel
+def _turn(
+    turn: Quaternion,
+    pivot: Vector,
+    place: Vector,
+    joint: int,
+    rotations: Rotations,
+    positions: Positions,
+) -> None:
+    q, p = rotations[joint], positions
+    x, y, z = quaternions.rotate(
+        turn[0],
+        turn[1],
+        turn[2],
+        turn[3],
+        p[joint, 0] - pivot[0],
+        p[joint, 1] - pivot[1],
+        p[joint, 2] - pivot[2],
+    )
+    p[joint, 0], p[joint, 1], p[joint, 2] = place[0] + x, place[1] + y, place[2] + z
+    q[0], q[1], q[2], q[3] = quaternions.product(
+        turn[0], turn[1], turn[2], turn[3], q[0], q[1], q[2], q[3]
+    )
 
 
 @kernel

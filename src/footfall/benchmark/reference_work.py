@@ -25,7 +25,7 @@ from footfall.skeleton import BodyPart
 from footfall.skeleton.octet_poses import PLACEMENT, place_chains, reach_ankles
 from footfall.skeleton.rig import Rig
 
-__all__ = ["LAYERS", "Task", "new_task", "work_in_blocks"]
+__all__ = ["LAYERS", "Task", "new_task", "placed_joints", "work_in_blocks"]
 
 LAYERS = 3
 """How many poses are mixed."""

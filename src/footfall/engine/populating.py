@@ -14,7 +14,7 @@ from footfall.engine.rows import Rows, check_present, place_characters
 from footfall.errors import ArgumentError
 from footfall.octets import LANES
 
-__all__ = ["Detail", "Populating"]
+__all__ = ["Detail", "Populating", "blocks_of"]
 
 Detail = Literal["full", "no reaching", "half rate"]
 """How much is worked out of a character: everything; legs as the motions have them, whatever the
