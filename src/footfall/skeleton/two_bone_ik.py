@@ -130,8 +130,7 @@ def reach_point(
     px, py, pz = _bending_direction((gx, gy, gz), (dx, dy, dz), hint, moved)
     bent = _bent_length(upper, lower, reach)
     bent = smaller(greater(bent, -upper), upper)
-    # As a product: the difference of squares would lose a straight limb's last digits.
-    height = square_root((upper - bent) * (upper + bent))
+    height = square_root(greater(upper * upper - bent * bent, 0.0))
     mx, my, mz = bent * dx + height * px, bent * dy + height * py, bent * dz + height * pz
     uw, vx, vy, vz = quaternions.between(gx, gy, gz, mx, my, mz)
     upper_turn = quaternions.product(uw, vx, vy, vz, sw, sx, sy, sz)
