@@ -9,6 +9,7 @@ from footfall.motion import Clip
 from footfall.samples import sample
 from footfall.skeleton import Skeleton
 from footfall.support import Support, SupportPhase, SupportSequence
+from footfall.warming import warmup
 
 __all__ = [
     "Character",
@@ -32,4 +33,5 @@ __all__ = [
     "sample",
     "save",
     "save_supports",
+    "warmup",
 ]
