@@ -12,9 +12,9 @@ import numpy as np
 import footfall as ff
 from footfall.view.svg import Picture
 
-PACES = ((0.4, "stands", "#9aa4b0"), (1.58, "walks", "#2f6db5"), (2.6, "walks fast", "#3a9a5b"))
-PACES += ((99.0, "runs", "#d8741a"),)
-MIDDLE, EVERY = 480.0, 8
+PACES = (0.4, 1.58, 2.6, 99.0)
+NAMES = ("stands", "walks", "walks fast", "runs")
+COLORS, MIDDLE, EVERY = ("#9aa4b0", "#2f6db5", "#3a9a5b", "#d8741a"), 480.0, 8
 
 
 def main(folder: Path) -> None:
@@ -40,7 +40,7 @@ def main(folder: Path) -> None:
     scale = (MIDDLE - 16) / np.abs(ways).max()
     for way in np.stack(ways, axis=1)[:, ::EVERY]:
         _draw(picture, scale * way, way)
-    for row, (_, name, color) in enumerate(PACES):
+    for row, (name, color) in enumerate(zip(NAMES, COLORS, strict=True)):
         picture.line(24, 30 + 24 * row, 60, 30 + 24 * row, stroke=color, stroke_width=4)
         picture.words(70, 35 + 24 * row, name, size=15)
     (folder / "06_a_crowd.svg").write_text(picture.to_svg(), encoding="utf-8")
@@ -48,10 +48,10 @@ def main(folder: Path) -> None:
 
 def _draw(picture: Picture, drawn: np.ndarray, way: np.ndarray) -> None:
     places = [(MIDDLE + x, MIDDLE - z) for x, z in drawn.tolist()]
-    speeds = np.linalg.norm(np.diff(way, axis=0), axis=1) * 60 / EVERY
+    speeds: list[float] = (np.linalg.norm(np.diff(way, axis=0), axis=1) * 60 / EVERY).tolist()
     for start, speed in enumerate(speeds):
-        color = next(color for most, _, color in PACES if speed < most)
-        picture.path(places[start : start + 2], stroke=color, stroke_width=2.5)
+        pace = int(np.searchsorted(PACES, speed))
+        picture.path(places[start : start + 2], stroke=COLORS[pace], stroke_width=2.5)
     picture.add("circle", cx=places[0][0], cy=places[0][1], r=3, class_="ink", opacity=0.35)
     picture.add("circle", cx=places[-1][0], cy=places[-1][1], r=5, class_="ink")
 

@@ -7,11 +7,11 @@ compiled, the same operations stand in for it, so that the kernels that use them
 from __future__ import annotations
 
 import math
+import os
 import sys
 from typing import Any
 
 import numpy as np
-from numba.core import config  # pyright: ignore[reportMissingTypeStubs]
 
 from footfall import octet_memory, octets
 
@@ -36,7 +36,7 @@ def _transpose(array: Any, place: int, stride: int, out: Any, out_place: int) ->
 
 
 def _select(condition: Any, one: Any, other: Any) -> Any:
-    if isinstance(condition, np.ndarray):
+    if np.ndim(condition):
         return np.where(condition, np.float32(one), np.float32(other))
     return one if condition else other
 
@@ -50,32 +50,32 @@ def _either(of_octets: Any, of_numbers: Any) -> Any:
     return chosen
 
 
-if config.DISABLE_JIT:
-    for _module, _parts in (
-        (
-            octets,
-            {
-                "select": _select,
-                "square_root": _either(np.sqrt, math.sqrt),
-                "exponential": _either(np.exp, math.exp),
-                "smaller": _either(np.fmin, min),
-                "greater": _either(np.fmax, max),
-            },
-        ),
-        (
-            octet_memory,
-            {
-                "load": _load,
-                "store": _store,
-                "transpose": _transpose,
-                "spread": lambda value: np.full(octets.LANES, value, dtype=np.float32),
-                "fetch_ahead": lambda *_: None,
-            },
-        ),
-    ):
-        for _name, _part in _parts.items():
-            _compiled = getattr(_module, _name)
-            # Importing the package has already handed some of them on.
-            for _user in [m for name, m in sys.modules.items() if name.startswith("footfall")]:
-                if getattr(_user, _name, None) is _compiled:
-                    setattr(_user, _name, _part)
+def _spread(value: float) -> Any:
+    return np.full(octets.LANES, value, dtype=np.float32)
+
+
+def _fetch_ahead(records: Any, index: int, size: int) -> None:
+    """Do nothing: it only makes compiled code faster."""
+
+
+PLAIN: dict[str, Any] = {
+    "select": _select,
+    "square_root": _either(np.sqrt, math.sqrt),
+    "exponential": _either(np.exp, math.exp),
+    "smaller": _either(np.fmin, min),
+    "greater": _either(np.fmax, max),
+    "load": _load,
+    "store": _store,
+    "transpose": _transpose,
+    "spread": _spread,
+    "fetch_ahead": _fetch_ahead,
+}
+
+if os.environ.get("NUMBA_DISABLE_JIT") == "1":
+    # Importing the package has already handed some of them on.
+    users = [module for name, module in sys.modules.items() if name.startswith("footfall")]
+    for name, plain in PLAIN.items():
+        compiled = getattr(octets, name, None) or getattr(octet_memory, name)
+        for user in users:
+            if getattr(user, name, None) is compiled:
+                setattr(user, name, plain)
