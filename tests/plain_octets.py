@@ -72,6 +72,8 @@ PLAIN: dict[str, Any] = {
 }
 
 if os.environ.get("NUMBA_DISABLE_JIT") == "1":
+    # Eight bodies may be fewer: what is worked out of nobody is never read.
+    np.seterr(divide="ignore", invalid="ignore")
     # Importing the package has already handed some of them on.
     users = [module for name, module in sys.modules.items() if name.startswith("footfall")]
     for name, plain in PLAIN.items():
