@@ -91,8 +91,7 @@ class Crowd(Standing, Reaching, Populating):
         self._newborn["printed"] = footprints and synchronized
         self._newborn["flight"] = flight_of(flight)
         self._parameters = Parameters()
-        self._characters = self._newborn[:0]
-        self._poses = self._blank_poses(0)
+        self._characters, self._poses = self._newborn[:0], self._blank_poses(0)
         self._make_room(size)
         self._characters["present"] = 1
         self.ground = Plane() if ground is None else ground
