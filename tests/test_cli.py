@@ -61,6 +61,8 @@ WRONG = {
         "sample:walk: height is -1.0; a limit must be finite and > 0"
     ),
     "sync": 'no sequences; give at least one, such as "R D L D*", or --batch FILE',
+    "sync R* --trace --json": "--trace prints text; give neither --json nor --batch beside it",
+    "sync --batch none --trace": "--trace prints text; give neither --json nor --batch beside it",
     "sync R* --start a": "--start is 'a'; it must be slot numbers such as 0,1",
     "sync X": (
         "sequences[0], 'X': 'X' in 'X' is no support phase; write R, L, D or -, with its "
@@ -180,6 +182,21 @@ def test_sync_answers_in_json(capsys: Captured) -> None:
     answer = json.loads(capsys.readouterr().out)
     assert set(answer) == {"result", "rows", "started", "durations", "muted", "error"}
     assert len(answer["result"]) == 4
+
+
+def test_sync_tells_all_that_was_decided(capsys: Captured) -> None:
+    words = ["sync", "R.4 D.1 L.4 D.1*", "L.5 R.3 L.4", "--start", "0,0", "--slots", "4"]
+    assert main([*words, "--planner", "paper", "--trace"]) == 0
+    assert capsys.readouterr().out.splitlines() == [
+        "slot         0     1     2     3",
+        "seconds      .4    .23   .43   .17",
+        "R D L D*  2  R     D     L     D",
+        "             ×1    ×2.33 ×1.08 ×1.67",
+        "L R L     1  w     L     L~    R",
+        "                   ×1.33 ×1.33 ×.56",
+        "blend        R     L     L     R",
+        "slot 0: 'L R L' waits: L of 'L R L' conflicts with R of 'R D L D*'",
+    ]
 
 
 def test_sync_answers_a_batch_line_by_line(tmp_path: Path, capsys: Captured) -> None:

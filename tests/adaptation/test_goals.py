@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from tests.paper.requirements import requirement
 from tests.skeleton.bodies import body
 from tests.walking_figure import walk
 
@@ -94,6 +95,7 @@ def test_hands_that_join_are_as_far_apart_as_told() -> None:
     assert np.linalg.norm(positions[LEFT] - positions[RIGHT]) == pytest.approx(0.06, abs=1e-3)
 
 
+@requirement(29, "contact of the hands during applause")
 def test_applause_opens_and_closes() -> None:
     mine = goals()
     mine.join_hands(0.1)
@@ -129,6 +131,11 @@ def test_a_neck_does_not_turn_to_what_is_behind_and_says_so() -> None:
     assert missed.missed > 1.0
 
 
+@requirement(
+    8,
+    "They can also be adapted to external constraints specified by the user in realtime (e.g., "
+    "height of a chair while sitting).",
+)
 def test_a_seat_takes_the_hips_to_its_height_and_leaves_the_feet() -> None:
     mine = goals()
     ankles = [leg.ankle for leg in ANATOMY.legs]

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from tests.paper.requirements import requirement
 
 from footfall.detection import detect_limb_supports, detect_supports, hands_on_the_ground
 from footfall.errors import ArgumentError
@@ -104,6 +105,11 @@ def played(one: SupportSequence, other: SupportSequence) -> Synchronizer:
     return synchronizer
 
 
+@requirement(
+    119,
+    "limited to bipedic humans. It could be possible (mathematicaly) to extend the algorithm "
+    "(considering hands for example)",
+)
 def test_the_planner_plays_all_of_them_together(sequences: dict[str, SupportSequence]) -> None:
     for one, other in permutations(ON_HANDS, 2):
         assert played(sequences[one], sequences[other]).waiting == {}

@@ -191,12 +191,21 @@ def test_a_snapshot_takes_the_crowd_back(library: ff.MotionLibrary, tmp_path: An
 
 def test_a_snapshot_of_another_crowd_is_refused(library: ff.MotionLibrary) -> None:
     crowd = ff.Crowd(library, 6)
-    with pytest.raises(
-        ArgumentError, match=r"a snapshot with \(5,\) for 'clock'; this crowd needs \(6,\)"
+    before = crowd.snapshot()
+    first, array = next(iter(before.items()))
+    needed = f"this crowd needs {array.shape}"
+    smaller = ff.Crowd(library, 5).snapshot()
+    for snapshot, found in (
+        (smaller, f"a snapshot with {smaller[first].shape} for {first!r}; {needed}"),
+        ({}, f"a snapshot with nothing for {first!r}; {needed}"),
+        (
+            {**before, "clock": np.zeros(5)},
+            "a snapshot with (5,) for 'clock'; this crowd needs (6,)",
+        ),
     ):
-        crowd.restore(ff.Crowd(library, 5).snapshot())
-    with pytest.raises(ArgumentError, match="a snapshot with nothing for 'clock'"):
-        crowd.restore({})
+        with pytest.raises(ArgumentError) as caught:
+            crowd.restore(snapshot)
+        assert str(caught.value) == found
 
 
 def test_at_half_rate_every_second_frame_is_the_one_before(library: ff.MotionLibrary) -> None:

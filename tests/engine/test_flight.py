@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from tests.paper.requirements import requirement
 
 import footfall as ff
 from footfall.arrays import Floats
@@ -49,6 +50,7 @@ CASES: dict[str, tuple[tuple[str, ...], Cues, int]] = {
 }
 
 
+@requirement(114, "controlling the parabolic trajectory of the root during the jump")
 @pytest.mark.parametrize("case", CASES)
 def test_a_ballistic_body_falls_with_g_within_five_percent(case: str) -> None:
     names, cues, frames = CASES[case]
@@ -72,6 +74,9 @@ def test_free_fall_neither_kicks_nor_catches_the_body() -> None:
         assert greatest[1] < 1.5 * greatest[0]
 
 
+@requirement(
+    113, "One solution can be to freeze the weights associated to the action during a jump phase."
+)
 def test_frozen_weights_stay_what_they_were_at_take_off() -> None:
     names, cues, frames = CASES["walk and jump"]
     for flight in ("frozen", "ballistic"):

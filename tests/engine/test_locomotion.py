@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from tests.paper.requirements import requirement
 
 import footfall as ff
 from footfall.arrays import Floats
@@ -43,6 +44,10 @@ def acceleration(recording: Recording) -> Floats:
     return greatest
 
 
+@requirement(31, "can simply replay a motion or can adapt it to parameters as parametric models do")
+@requirement(
+    106, "It also works while using parametric models such as locomotion or grasping models."
+)
 @pytest.mark.parametrize("planner", ["footfall", "paper"])
 def test_it_goes_from_a_walk_to_a_run_and_back_without_a_pop_or_a_slide(planner: Planner) -> None:
     recording, asked = play(goer(planner), {100: 3.2, 420: 1.0}, 700)
@@ -95,6 +100,9 @@ def test_where_nobody_goes_the_speed_is_there_at_once() -> None:
     assert {phase.support.symbol for phase in hero.crowd.supports_of(0).phases} == {"R", "-", "L"}
 
 
+@requirement(
+    32, "information on used motions cannot be precomputed since they can be modified in real-time"
+)
 def test_it_is_synchronized_with_others_while_its_sequence_changes() -> None:
     hero = goer(speed=1.3)
     hero.start("go")

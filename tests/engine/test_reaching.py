@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from tests.paper.requirements import requirement
 
 import footfall as ff
 from footfall.arrays import Floats, Positions
@@ -53,6 +54,9 @@ def test_a_hand_gets_to_a_point_in_reach_and_back() -> None:
     )
 
 
+@requirement(
+    106, "It also works while using parametric models such as locomotion or grasping models."
+)
 def test_a_hand_closes_on_an_object_and_carries_it_while_the_body_goes_on() -> None:
     hero = stander("walk-slow")
     play(hero, 30)
@@ -81,6 +85,10 @@ def test_a_hand_closes_on_an_object_and_carries_it_while_the_body_goes_on() -> N
     assert hero.hand("right").object == left
 
 
+@requirement(
+    120,
+    "We have decided to ensure secondary constraints (feet are primaries) with another part of MKM",
+)
 def test_the_legs_know_nothing_of_it() -> None:
     reaching, walking = stander("walk"), stander("walk")
     reaching.reach("left", [0.3, 1.4, 0.8])

@@ -185,3 +185,43 @@ def test_what_cannot_be_meant_is_answered_by_a_sentence_and_changes_nothing() ->
             act()
         assert str(caught.value)
     assert np.array_equal(hero.advance(0.1).world_positions, other.advance(0.1).world_positions)
+
+
+@requirement(
+    8,
+    "They can also be adapted to external constraints specified by the user in realtime (e.g., "
+    "height of a chair while sitting).",
+)
+def test_a_seat_that_the_user_moves_is_sat_on_and_the_feet_stay() -> None:
+    idle, supports = ff.sample("idle")
+    hero = ff.Character(idle.skeleton)
+    hero.add("idle", idle, supports)
+    hero.start("idle")
+    ankles = [leg.ankle for leg in hero.library.anatomy.legs]
+    hips = [leg.hip for leg in hero.library.anatomy.legs]
+    before = hero.advance(0.0).world_positions[ankles].copy()
+    for height in (0.6, 0.5, 0.7):
+        hero.goals.sit(height)
+        for _ in range(90):
+            hero.advance(SECONDS_PER_FRAME)
+        shown = hero.crowd.world_positions[0]
+        assert sum(float(shown[hip, 1]) for hip in hips) / 2 == pytest.approx(height, abs=1e-3)
+        assert shown[ankles] == pytest.approx(before, abs=2e-3)
+
+
+@requirement(29, "contact of the hands during applause")
+def test_hands_meet_while_a_walk_plays() -> None:
+    walk, supports = ff.sample("walk")
+    hero = ff.Character(walk.skeleton)
+    hero.add("walk", walk, supports)
+    hero.start("walk")
+    hands = [hero.library.skeleton.index(name) for name in ("LeftHand", "RightHand")]
+
+    def apart() -> float:
+        left, right = hero.advance(SECONDS_PER_FRAME).world_positions[hands]
+        return float(np.linalg.norm(left - right))
+
+    assert min(apart() for _ in range(60)) > 0.3
+    hero.goals.join_hands(0.06)
+    joined = [apart() for _ in range(90)][30:]
+    assert joined == pytest.approx([0.06] * 60, abs=3e-3)

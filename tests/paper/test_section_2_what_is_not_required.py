@@ -12,7 +12,7 @@ from tests.engine.test_pipeline import CUES, FPS, accelerations, play, walker
 from tests.paper.requirements import requirement
 
 import footfall as ff
-from footfall.engine import library as library_module
+from footfall.engine import library_body
 from footfall.engine.recording import Recording
 from footfall.samples import sample_names
 from footfall.support import Support, SupportSequence
@@ -81,13 +81,13 @@ def test_adding_a_clip_touches_no_other_and_costs_no_more_in_a_large_library(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     packed: list[str] = []
-    pack = library_module.pack_clip
+    pack = library_body.pack_clip
 
     def counted(*arguments: Any) -> Any:
         packed.append("clip")
         return pack(*arguments)
 
-    monkeypatch.setattr(library_module, "pack_clip", counted)
+    monkeypatch.setattr(library_body, "pack_clip", counted)
     library = ff.MotionLibrary()
     for number in range(12):
         before = library.actions

@@ -26,19 +26,24 @@ from footfall.skeleton.rig import rig_of
     "Motions)",
 )
 def test_figure_1_actions_are_synchronized_then_blended_then_adapted() -> None:
-    source = inspect.getsource(pipeline)
-    row = next(
-        node
-        for node in ast.walk(ast.parse(source))
-        if isinstance(node, ast.FunctionDef) and node.name == "_advance_row"
-    )
-    calls = [
-        node.func.id
-        for node in ast.walk(row)
-        if isinstance(node, ast.Call) and isinstance(node.func, ast.Name)
-    ]
-    stages = ["pass_time", "blend_poses", "locate_feet", "keep_footprints", "place_body"]
-    assert [call for call in calls if call in stages] == stages
+    functions = {
+        node.name: node
+        for node in ast.walk(ast.parse(inspect.getsource(pipeline)))
+        if isinstance(node, ast.FunctionDef)
+    }
+
+    def called(function: str) -> list[str]:
+        calls = [
+            (node.lineno, node.func.id)
+            for node in ast.walk(functions[function])
+            if isinstance(node, ast.Call) and isinstance(node.func, ast.Name)
+        ]
+        return [name for _, name in sorted(calls)]
+
+    row = ["pass_time", "blend_poses", "locate_feet", "keep_footprints", "aim_body"]
+    assert [name for name in called("_advance_row") if name in row] == row
+    block = ["_advance_row", "place_bodies"]
+    assert [name for name in called("advance_blocks") if name in block] == block
 
 
 @requirement(25, "The normalized skeleton is described in cartesian space")

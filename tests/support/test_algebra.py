@@ -4,6 +4,7 @@ from itertools import product
 
 import numpy as np
 import pytest
+from tests.paper.requirements import requirement
 
 from footfall.support import Support, combine
 from footfall.support.algebra import EVERY_LIMB
@@ -90,6 +91,24 @@ def test_in_a_conflict_no_foot_carries() -> None:
 @pytest.mark.parametrize("limb", range(6))
 def test_every_limb_has_a_bit_of_its_own_beside_that_of_the_ground(limb: int) -> None:
     assert int(Support.from_limbs([limb])) == 1 | 2 << limb
+
+
+@requirement(43, "As our relation is commutative, two motions")
+@requirement(44, "as our algebraic relation is associative")
+def test_with_hands_and_more_legs_order_and_grouping_never_matter_either() -> None:
+    # The 65 sets that six limbs give: no limb and in the air, no limb in common, and 63 others.
+    every = [NO, *(Support(bits) for bits in range(1, EVERY_LIMB + 1, 2))]
+    assert len(every) == 65
+    for a, b in product(every, repeat=2):
+        together = a & b
+        assert together is (b & a)
+        assert together in every
+        if NO not in (a, b):
+            assert together.limbs == tuple(limb for limb in a.limbs if limb in b.limbs)
+    hands = [one for one in every if all(limb < 4 for limb in one.limbs)]
+    assert len(hands) == 17
+    for a, b, c in product(hands, repeat=3):
+        assert ((a & b) & c) is (a & (b & c))
 
 
 def test_every_limb_at_once_is_every_bit() -> None:

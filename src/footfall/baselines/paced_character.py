@@ -64,8 +64,9 @@ class PacedCharacter(Character):
             self._entered[seat] = me["age"][seat]
             if one.entering:
                 me["posed_time"][seat] = max(time - dt, 0.0)
-            # The engine lets every clip go on by `dt` itself.
+            # The engine lets every clip that is at its own speed go on by `dt` itself.
             me["clip_time"][seat] = time - dt
+            me["rate"][seat] = 1.0
         frame = super().advance(dt)
         for seat, one, time in zip(seats, playing, times, strict=True):
             if one.supports.cyclic:

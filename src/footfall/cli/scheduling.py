@@ -26,6 +26,7 @@ def sync(
     lookahead: int = 5,
     planner: Literal["footfall", "paper"] = "footfall",
     batch: Path | None = None,
+    trace: bool = False,
     json: bool = False,
 ) -> None:
     """Synchronize sequences of supports, such as "R D L D*" "L D - D L".
@@ -45,9 +46,14 @@ def sync(
         The default planner, or the paper's rule.
     batch
         Answer this file instead: a JSON problem a line in, a JSON answer a line out.
+    trace
+        Print all that was decided: seconds of each slot, how many times as long as at its own speed
+        each phase lasts, who is held or muted, and why a start waits.
     json
         Print JSON.
     """
+    if trace and (json or batch is not None):
+        raise ArgumentError("--trace prints text; give neither --json nor --batch beside it")
     if batch is not None:
         if sequences:
             raise ArgumentError("--batch reads its sequences from the file; give none beside it")
@@ -68,7 +74,7 @@ def sync(
     if json:
         print(json_text.dumps(solve(problem), ensure_ascii=False))
     else:
-        print(describe_problem(problem))
+        print(describe_problem(problem, trace=trace))
 
 
 def _lines(path: Path) -> list[str]:

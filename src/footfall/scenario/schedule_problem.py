@@ -99,8 +99,13 @@ def solve(problem: ScheduleProblem) -> dict[str, Any]:
     }
 
 
-def describe_problem(problem: ScheduleProblem) -> str:
-    """Play a problem and return its schedule as text, with why anything waited."""
+def describe_problem(problem: ScheduleProblem, *, trace: bool = False) -> str:
+    """Play a problem and return its schedule as text, with why anything waited.
+
+    Args:
+        problem: What to play.
+        trace: Whether to write everything, as `Schedule.describe` does, instead of the table.
+    """
     sequences = [parse_timed(text)[0] for text in problem.sequences]
     names = [
         " ".join(phase.support.symbol for phase in one.phases) + "*" * one.cyclic
@@ -124,10 +129,11 @@ def describe_problem(problem: ScheduleProblem) -> str:
         commanded = [i for i in problem.order if problem.start[i] == slot]
         refused = [i for i in commanded if not synchronizer.start(i)]
         remarks += [f"slot {slot}: {names[i]!r} {synchronizer.waiting[i]}" for i in refused]
-    trace = synchronizer.trace
-    if trace.results[-1] is Support.CONFLICT:
-        remarks.append(_failure(problem, [list(row.phases) for row in trace.rows]))
-    return "\n".join([str(trace), *remarks])
+    played = synchronizer.trace
+    lines = [played.describe()] if trace else [str(played), *remarks]
+    if played.results[-1] is Support.CONFLICT:
+        lines.append(_failure(problem, [list(row.phases) for row in played.rows]))
+    return "\n".join(lines)
 
 
 _ENCODER = json.JSONEncoder(ensure_ascii=False)
