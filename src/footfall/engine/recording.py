@@ -110,7 +110,8 @@ class Recorder:
             rates[action] = me["rate"][seat]
             if me["playing"][seat]:
                 phases[action] = me["phases"][seat, 0]
-            moving = moving or bool(me["fade_progress"][seat, 0] < 1.0)
+            ways = me["fade_progress"][seat, 0], me["priority_progress"][seat, BodyPart.LEGS]
+            moving = moving or min(ways) < 1.0
         self._rows.append(
             (
                 crowd.world_positions[0].copy(),
