@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+from functools import lru_cache
 
 import numpy as np
 import pytest
@@ -31,7 +32,8 @@ def played(changes: list[Change], frames: int = 300) -> tuple[float, Floats]:
     hero = performer()
     for name in PAIR:
         hero.start(name)
-    positions, weights = [], []
+    positions: list[Floats] = []
+    weights: list[tuple[float, ...]] = []
     for frame in range(frames):
         for at, name, priority in changes:
             if at == frame:
@@ -42,6 +44,7 @@ def played(changes: list[Change], frames: int = 300) -> tuple[float, Floats]:
     return float(np.linalg.norm(accelerations, axis=-1).max()), np.array(weights)
 
 
+@lru_cache(maxsize=1)
 def bound() -> float:
     """Return one and a half times what walking mainly, or side-stepping mainly, takes."""
     return 1.5 * max(played([(0, name, 12.0)])[0] for name in PAIR)
@@ -95,7 +98,7 @@ def test_a_body_part_that_nothing_else_moves_is_left_to_the_neutral_motion_gradu
     hero.start("walk")
     hero.advance(0.5)
     hero.set_priority("walk", {"legs": 1.0})
-    arms = []
+    arms: list[float] = []
     for _ in range(60):
         hero.advance(1.0 / FPS)
         arms.append(hero.state("walk").weights[BodyPart.LEFT_ARM])
@@ -117,7 +120,7 @@ def test_a_change_with_no_time_happens_at_once_and_before_the_first_frame_it_is_
 
 
 def test_how_time_is_cut_changes_nothing() -> None:
-    ends = []
+    ends: list[tuple[float, ...]] = []
     for pieces in (1, 4):
         hero = performer()
         hero.start("walk")
