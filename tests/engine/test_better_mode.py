@@ -101,18 +101,3 @@ def test_an_action_of_the_arms_is_no_part_of_the_schedule_nor_of_its_durations()
     assert moved
     # It is not warped: its clip has gone on second by second.
     assert hero.state("punch").rate in (0.0, 1.0)
-
-
-def test_who_is_seen_alone_keeps_its_speed_where_a_start_enters_in_flight() -> None:
-    clips = {name: ff.sample(name) for name in ("walk-fast", "run")}
-    hero = ff.Character(clips["run"][0].skeleton)
-    for name, (clip, supports) in clips.items():
-        hero.add(name, clip, supports, priority=2.0 if name == "run" else 1.0)
-    hero.start("walk-fast")
-    hero.advance(2.086 - 2 * 0.9)
-    hero.start("run")
-    assert hero.state("run").support is ff.Support.FLIGHT
-    while hero.state("run").support is ff.Support.FLIGHT:
-        hero.advance(1 / 240)
-        assert hero.state("walk-fast").weights[0] > 0.99
-        assert hero.state("walk-fast").rate > 0.4

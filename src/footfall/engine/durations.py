@@ -7,7 +7,7 @@ from typing import cast
 
 import numpy as np
 
-from footfall.compilation import inner_kernel, small_kernel
+from footfall.compilation import inner_kernel
 from footfall.engine.priority_changes import present_priorities
 from footfall.engine.record import SEATS, Character
 from footfall.engine.shelf import Shelf, phase_end, phase_start
@@ -34,9 +34,6 @@ FLIGHT = int(Support.FLIGHT)
 
 # A typed number: a literal would have everything that it is passed to compiled twice.
 THIS_SLOT = cast(int, np.int64(0))
-
-NEARLY_ALONE = 0.9
-"""Share of the legs from which an action counts as nearly alone."""
 
 LAST_SLOT = 0.1
 """How long a slot lasts in which every action has ended [s]."""
@@ -91,7 +88,7 @@ def set_target(shelf: Shelf, me: Character, seat: int) -> None:
     if shelf.use_paper_cubic:
         part /= _columns_of(me, seat, THIS_SLOT)
     elif me.phases[seat, 1] == phase:
-        part = min(part, _held_pace(shelf, me, seat, part) * me.durations[0])
+        part = min(part, me.pace[seat, 0] * me.durations[0])
     me.target[seat] = clip_time + part
     me.natural[seat] = part / (1.0 - me.slot_progress)
     if shelf.use_paper_cubic:
@@ -100,43 +97,6 @@ def set_target(shelf: Shelf, me: Character, seat: int) -> None:
             shelf.entries[me.action[seat]], shelf.phase_starts, phase
         )
     me.remaining[seat] = max(end - clip_time, 0.0)
-
-
-@small_kernel
-def _held_pace(shelf: Shelf, me: Character, seat: int, left: float) -> float:
-    """Return at what rate an action goes on that is held in this slot.
-
-    As the planner says, who takes starts at their full weight. Yet while an action is nearly
-    alone its own speed is what is seen, so it keeps that, or spreads what is left of its phase
-    [s] evenly over the least time that the slots can take through which it is held.
-    """
-    pace = me.pace[seat, 0]
-    alone = (me.weights[seat, LEGS] - NEARLY_ALONE) / (1.0 - NEARLY_ALONE)
-    if alone <= 0.0 or pace >= 1.0 or me.durations[0] <= 0.0:
-        return pace
-    phase, column, seconds = me.phases[seat, 0], 1, me.durations[0]
-    while column < me.phases.shape[1] - 1 and me.phases[seat, column] == phase:
-        seconds += _least_duration(shelf, me, seat, column)
-        column += 1
-    own = min(1.0, left / seconds)
-    return pace + max(own - pace, 0.0) * min(alone, 1.0)
-
-
-@small_kernel
-def _least_duration(shelf: Shelf, me: Character, held: int, column: int) -> float:
-    """Return how long a slot to come takes at least for those that go on at its end [s]."""
-    least = 0.0
-    for seat in range(SEATS):
-        phase = me.phases[seat, column]
-        goes_on = me.phases[seat, column + 1] != phase
-        if seat == held or not me.playing[seat] or me.muted[seat] or not goes_on:
-            continue
-        if has_ended(shelf.table, me.sequence[seat], phase):
-            continue
-        entry = shelf.entries[me.action[seat]]
-        begin = phase_start(entry, shelf.phase_starts, phase)
-        least = max(least, (phase_end(entry, shelf.phase_starts, phase) - begin) / GREATEST_RATE)
-    return least
 
 
 @inner_kernel
