@@ -227,7 +227,16 @@ def test_blend_writes_motion_supports_and_figures(
     ]
     told = json.loads(figures.read_text())
     assert (told["fps"], told["frames"], len(told["supports"])) == (60.0, 31, 31)
-    assert told["starts"] == [{"action": "walk", "commanded": 0.1, "actual": 0.1, "reason": ""}]
+    assert told["starts"] == [
+        {
+            "action": "walk",
+            "commanded": 0.1,
+            "actual": 0.1,
+            "reason": "",
+            "impossible": False,
+            "muted": 0.0,
+        }
+    ]
     assert list(told["rows"]) == list(METHODS)
     assert ff.load_supports(tmp_path / "out.supports").duration == pytest.approx(0.5)
 

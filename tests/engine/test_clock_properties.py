@@ -90,7 +90,8 @@ def weights_rest(me: Any) -> bool:
     """Whether no weight of the legs is moving: while one is, warps are built anew all the time."""
     running = me["status"] >= RUNNING
     fades = me["fade_progress"][running] >= 1.0
-    return bool(fades.all() and (me["presence"][running] == 1 - me["muted"][running]).all())
+    muting = me["presence"][running] != 1 - me["muted"][running]
+    return bool(fades.all() and not muting.any() and not me["changing"])
 
 
 def check_state(hero: ff.Character) -> None:

@@ -74,6 +74,8 @@ def starts_text(performance: Performance) -> str:
             told += f"started at {start.actual:.2f} s: {start.reason}"
         else:
             told += "started at once"
+        if start.muted > 0.0:
+            told += f"; {start.muted:.2f} s of it muted, without its legs"
         lines.append(told + "\n")
     return "".join(lines)
 

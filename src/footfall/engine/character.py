@@ -118,11 +118,7 @@ class Character(Handed):
     def set_parameters(
         self, name: str, *, speed: float | None = None, turn: float | None = None
     ) -> None:
-        """Ask a locomotion for another speed [m/s] or turn [rad/s]; errors as of `Crowd`.
-
-        Raises:
-            UnknownNameError: If there is no action of this name.
-        """
+        """Ask a locomotion for another speed [m/s] or turn [rad/s]; errors as of `Crowd`."""
         self.crowd.set_parameters(self.library.index(name), speed=speed, turn=turn)
 
     def parameters_of(self, name: str) -> tuple[float, float]:
@@ -171,9 +167,11 @@ class Character(Handed):
         """
         self.crowd.stop(self.library.index(name))
 
-    def set_priority(self, name: str, priority: float | Mapping[str, float]) -> None:
-        """Change the priority of a running or waiting action; errors as of `Crowd`."""
-        self.crowd.set_priority(self.library.index(name), priority)
+    def set_priority(
+        self, name: str, priority: float | Mapping[str, float], *, fade: float | None = None
+    ) -> None:
+        """Change the priority of a running or waiting action; as `Crowd.set_priority`."""
+        self.crowd.set_priority(self.library.index(name), priority, fade=fade)
 
     def place(self, x: float, z: float, heading: float = 0.0) -> None:
         """Put the character somewhere: x, z [m] and heading [rad], 0 facing +z."""

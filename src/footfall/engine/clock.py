@@ -11,6 +11,7 @@ import math
 from footfall.compilation import inlined_kernel, inner_kernel, small_kernel
 from footfall.engine.durations import rebuild_warps, update_weights
 from footfall.engine.planning import replan
+from footfall.engine.priority_changes import advance_changes
 from footfall.engine.record import SEATS, Character
 from footfall.engine.shelf import Shelf, support_at
 from footfall.engine.slots import begin_leaving, enter_slot
@@ -76,6 +77,8 @@ def pass_time(shelf: Shelf, me: Character, search: SearchMemories, rules: Rules,
 
 @small_kernel
 def _weights_move(me: Character) -> bool:
+    if me.changing:
+        return True
     for seat in range(me.occupied):
         fading = me.fade_progress[seat, 0] < 1.0 or me.fade_progress[seat, 1] < 1.0
         if me.status[seat] >= RUNNING and (fading or me.presence[seat] != 1 - me.muted[seat]):
@@ -153,6 +156,8 @@ def _run_fades(me: Character, step: float, moving: bool) -> None:
     pace = _fade_pace(me, step)
     if not moving:
         return
+    if me.changing:
+        advance_changes(me, step, pace)
     for seat in range(me.occupied):
         if me.status[seat] < RUNNING:
             continue

@@ -26,6 +26,10 @@ from footfall.sync.tables import Planner, Rules
 __all__ = ["Commanding"]
 
 
+BY_ITSELF = -1.0
+"""Stands for a change of priority that takes as long as the action's fade in."""
+
+
 class Commanding:
     """The part of a crowd that is told what to do."""
 
@@ -139,14 +143,21 @@ class Commanding:
         stop_rows(self._shelf, self._characters, check_present(rows, self._characters), action)
 
     def set_priority(
-        self, action: int, priority: float | Mapping[str, float], rows: Rows = None
+        self,
+        action: int,
+        priority: float | Mapping[str, float],
+        rows: Rows = None,
+        *,
+        fade: float | None = None,
     ) -> None:
-        """Change the priority of a running or waiting action.
+        """Change the priority of a running or waiting action; its weights come to it smoothly.
 
         Args:
             action: Its id in the library.
-            priority: As in `MotionLibrary.add`.
+            priority: As in `MotionLibrary.add`. It may be given in every frame: weights follow.
             rows: Which characters: row numbers, a mask, or None for all.
+            fade: In what time [s], >= 0, 0 being at once; None: in that of the action's fade in.
+                Weights of the legs wait as in fades, at most as long again.
 
         Raises:
             ArgumentError: If the action or a row does not exist, or a number is out of range.
@@ -155,7 +166,10 @@ class Commanding:
         action = self._check_action(action)
         values = parse_priority(priority)
         chosen = check_present(rows, self._characters)
-        prioritize_rows(self._characters, chosen, action, values)
+        if fade is not None and not (0.0 <= fade < math.inf):
+            raise ArgumentError(f"fade is {fade} s; it must be finite and >= 0")
+        seconds = BY_ITSELF if fade is None else float(fade)
+        prioritize_rows(self._shelf, self._characters, chosen, action, values, seconds)
 
     @property
     def shelf(self) -> Shelf:

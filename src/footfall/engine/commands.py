@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from typing import Any
 
-import numpy as np
 import numpy.typing as npt
 
 from footfall.arrays import Flags, Floats, Indices, Seconds
 from footfall.compilation import inner_kernel, lean_kernel
 from footfall.engine.clock import pass_time
+from footfall.engine.priority_changes import ask_priority, settle_priority
 from footfall.engine.record import SEATS, Character
 from footfall.engine.shelf import Shelf, key_at, read_points
 from footfall.engine.slots import begin_leaving
@@ -24,6 +24,9 @@ __all__ = ["NOBODY", "catch_up_rows", "prioritize_rows", "start_rows", "stop_row
 
 LEGS = int(BodyPart.LEGS)
 PARTS = len(BodyPart)
+
+AT_ONCE = 1e-9
+"""Time in which nothing is gradual [s]."""
 
 NOBODY = -1
 """What `start_rows` returns where everybody has a seat."""
@@ -158,7 +161,7 @@ def _take_seat(shelf: Shelf, me: Character, seat: int, action: int) -> None:
     me.action[seat] = action
     me.sequence[seat] = action
     for part in range(PARTS):
-        me.priorities[seat, part] = shelf.entries[action].priorities[part]
+        settle_priority(me, seat, part, shelf.entries[action].priorities[part])
     me.priority[seat] = me.priorities[seat, LEGS]
     me.starts += 1
     me.age[seat] = me.starts
@@ -190,12 +193,38 @@ def stop_rows(shelf: Shelf, characters: npt.NDArray[Any], rows: Indices, action:
                 me.unsettled = True
 
 
+@lean_kernel
 def prioritize_rows(
-    characters: npt.NDArray[Any], rows: Indices, action: int, priorities: Floats
+    shelf: Shelf,
+    characters: npt.NDArray[Any],
+    rows: Indices,
+    action: int,
+    priorities: Floats,
+    seconds: float,
 ) -> None:
-    """Give an action of many characters other priorities, shape (parts,)."""
-    seated = (characters["action"][rows] == action) & (characters["status"][rows] != EMPTY)
-    places, seats = np.nonzero(seated)
-    characters["priorities"][rows[places], seats] = priorities
-    characters["priority"][rows[places], seats] = priorities[LEGS]
-    characters["unsettled"][rows] = True
+    """Give an action of many characters other priorities, at once where nobody sees it.
+
+    Args:
+        shelf: The library.
+        characters: Records of `character_type`, shape (all rows,).
+        rows: Which characters, shape (rows,).
+        action: Which action of the library.
+        priorities: Of each body part, >= 0, shape (parts,).
+        seconds: In what time [s]; < 0: in that of the action's fade in.
+    """
+    within = shelf.entries[action].fade_in if seconds < 0.0 else seconds
+    for place in range(rows.shape[0]):
+        me: Character = characters[int(rows[place])]
+        me.unsettled = True
+        for seat in range(SEATS):
+            if me.status[seat] == EMPTY or me.action[seat] != action:
+                continue
+            unseen = me.status[seat] == WAITING or me.fresh or within < AT_ONCE
+            for part in range(PARTS):
+                if unseen:
+                    settle_priority(me, seat, part, priorities[part])
+                else:
+                    ask_priority(me, seat, part, priorities[part], within)
+            me.priority_seconds[seat] = within
+            me.priority[seat] = priorities[LEGS]
+            me.changing = me.changing or not unseen

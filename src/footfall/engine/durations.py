@@ -8,6 +8,7 @@ from typing import cast
 import numpy as np
 
 from footfall.compilation import inner_kernel
+from footfall.engine.priority_changes import present_priorities
 from footfall.engine.record import SEATS, Character
 from footfall.engine.shelf import Shelf, phase_end, phase_start
 from footfall.engine.state import LEAVING, RUNNING
@@ -27,6 +28,7 @@ from footfall.timing import (
 __all__ = ["rebuild_warps", "set_target", "update_weights"]
 
 LEGS = int(BodyPart.LEGS)
+PARTS = len(BodyPart)
 
 FLIGHT = int(Support.FLIGHT)
 
@@ -51,7 +53,12 @@ def update_weights(me: Character) -> None:
                 levels[seat] = 1.0 - level(progress)
             if group == 0:
                 levels[seat] *= level(me.presence[seat])
-        if group == 0:
+        if me.changing:
+            for part in range(group, 1 if group == 0 else PARTS):
+                present_priorities(me, part, levels, me.shares)
+                only = slice(part, part + 1)
+                normalize_weights(me.priorities[:, only], me.shares, me.weights[:, only])
+        elif group == 0:
             normalize_weights(me.priorities[:, :1], levels, me.weights[:, :1])
         else:
             normalize_weights(me.priorities[:, 1:], levels, me.weights[:, 1:])

@@ -98,6 +98,9 @@ class Character(Feet):
     unsettled: bool
     """Whether a stop or a change of priority calls for a new plan."""
 
+    changing: bool
+    """Whether a priority is on its way to another one."""
+
     status: Annotated[Indices, SEATS]
     """`EMPTY`, `WAITING`, `RUNNING` or `LEAVING`, shape (seats,)."""
 
@@ -167,7 +170,28 @@ class Character(Feet):
     spare_results: Annotated[Supports, COLUMNS]
 
     priorities: Annotated[Floats, SEATS, PARTS]
-    """Priority on each body part, >= 0, shape (seats, parts)."""
+    """Priority on each body part by now, >= 0, shape (seats, parts)."""
+
+    priorities_before: Annotated[Floats, SEATS, PARTS]
+    """What it was when another one was asked for, shape (seats, parts)."""
+
+    priorities_asked: Annotated[Floats, SEATS, PARTS]
+    """What it becomes, shape (seats, parts)."""
+
+    priority_progress: Annotated[Floats, SEATS, PARTS]
+    """How far it has come, 0 to 1, shape (seats, parts)."""
+
+    priority_elapsed: Annotated[Seconds, SEATS, PARTS]
+    """How long that has taken so far [s], shape (seats, parts)."""
+
+    priority_seconds: Annotated[Seconds, SEATS]
+    """How long it should take [s], > 0, shape (seats,)."""
+
+    share_speed: Annotated[Floats, SEATS, PARTS]
+    """How fast the share goes by now, per progress, shape (seats, parts)."""
+
+    share_speed_before: Annotated[Floats, SEATS, PARTS]
+    """How fast it went when another priority was asked for, likewise."""
 
     patience: Annotated[Seconds, SEATS]
     """Clock time until which a start waits [s], shape (seats,)."""

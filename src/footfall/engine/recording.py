@@ -55,6 +55,9 @@ class Recording:
     phases: Floats
     """Absolute index of the phase played; NaN where none is synchronized. (frames, actions)."""
 
+    muted: Flags
+    """Whether each action went on without its legs, shape (frames, actions)."""
+
     foot_offsets: Floats
     """How far footprints moved each foot [m], from where the pose has it over the ground,
     shape (frames, 2)."""
@@ -100,6 +103,7 @@ class Recorder:
         count = len(self._character.library.actions)
         shares = np.zeros(count)
         times, rates, phases = (np.full(count, np.nan) for _ in range(3))
+        muted = np.zeros(count, dtype=np.bool_)
         moving = False
         for seat in range(SEATS):
             if me["status"][seat] < RUNNING:
@@ -108,9 +112,11 @@ class Recorder:
             shares[action] += me["weights"][seat, BodyPart.LEGS]
             times[action] = me["clip_time"][seat]
             rates[action] = me["rate"][seat]
+            muted[action] |= bool(me["muted"][seat])
             if me["playing"][seat]:
                 phases[action] = me["phases"][seat, 0]
-            moving = moving or bool(me["fade_progress"][seat, 0] < 1.0)
+            ways = me["fade_progress"][seat, 0], me["priority_progress"][seat, BodyPart.LEGS]
+            moving = moving or min(ways) < 1.0
         self._rows.append(
             (
                 crowd.world_positions[0].copy(),
@@ -121,6 +127,7 @@ class Recorder:
                 times,
                 rates,
                 phases,
+                muted,
                 np.linalg.norm(me["foot_offset"], axis=-1),
                 me["carried"].copy(),
             )
@@ -142,6 +149,7 @@ class Recorder:
             frozen(arrays[5]),
             frozen(arrays[6]),
             frozen(arrays[7]),
-            frozen(arrays[8]),
+            frozen(arrays[8], np.bool_),
             frozen(arrays[9]),
+            frozen(arrays[10]),
         )

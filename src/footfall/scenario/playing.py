@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
 
 from footfall.adaptation import AnyGround
-from footfall.engine import Character, Waiting
+from footfall.engine import Character, Impossible, Waiting
 from footfall.engine.recording import Recorder, Recording
 from footfall.scenario.cue_sheet import Scenario
 from footfall.scenario.entries import Cue
 from footfall.scenario.moving_ground import MovingGround
 
-__all__ = ["Play", "StartCue"]
+__all__ = ["Play", "StartCue", "with_muting"]
 
 _SAME = 1e-9
 """Two times this near are the same [s]."""
@@ -33,6 +37,12 @@ class StartCue:
     reason: str = ""
     """Why it waited; empty if it did not."""
 
+    impossible: bool = False
+    """Whether it could never have started beside those that ran then."""
+
+    muted: float = 0.0
+    """How long it went on without its legs after it started [s]."""
+
     def to_json(self) -> dict[str, object]:
         """Return the fields by name for a report."""
         return {
@@ -40,6 +50,8 @@ class StartCue:
             "commanded": round(self.commanded, 6),
             "actual": None if self.actual is None else round(self.actual, 6),
             "reason": self.reason,
+            "impossible": self.impossible,
+            "muted": round(self.muted, 6),
         }
 
 
@@ -76,7 +88,8 @@ class Play:
             if frame == 0:
                 self.character.advance(0.0)
             recorder.keep()
-        return recorder.finish(), tuple(self.starts)
+        recording = recorder.finish()
+        return recording, with_muting(self.starts, recording)
 
     def _advance(self, time: float) -> None:
         if time - self.clock > _SAME:
@@ -84,8 +97,7 @@ class Play:
             self.clock = time
         for action in [name for name in self.waiting if not self.character.is_waiting(name)]:
             index = self.waiting.pop(action)
-            start = self.starts[index]
-            self.starts[index] = StartCue(action, start.commanded, self.clock, start.reason)
+            self.starts[index] = replace(self.starts[index], actual=self.clock)
 
     def _exchange_ground(self) -> None:
         self.character.crowd.exchange_ground(self.ground.ground, rise=self.ground.rise)
@@ -107,6 +119,23 @@ class Play:
             answer = self.character.start(cue.action)
             if isinstance(answer, Waiting):
                 self.waiting[cue.action] = len(self.starts)
-                self.starts.append(StartCue(cue.action, cue.at, None, answer.reason))
+                impossible = isinstance(answer, Impossible)
+                self.starts.append(StartCue(cue.action, cue.at, None, answer.reason, impossible))
             else:
                 self.starts.append(StartCue(cue.action, cue.at, answer.at))
+
+
+def with_muting(starts: Sequence[StartCue], recording: Recording) -> tuple[StartCue, ...]:
+    """Return the starts with how long each went on without its legs, up to the next of it."""
+    told: list[StartCue] = []
+    for index, start in enumerate(starts):
+        if start.actual is None:
+            told.append(start)
+            continue
+        nexts = (one.actual for one in starts[index + 1 :] if one.action == start.action)
+        end = next((moment for moment in nexts if moment is not None), math.inf)
+        times = np.arange(recording.frames) / recording.fps
+        its = (times >= start.actual - _SAME) & (times < end - _SAME)
+        muted = recording.muted[its, recording.actions.index(start.action)]
+        told.append(replace(start, muted=float(muted.sum()) / recording.fps))
+    return tuple(told)
