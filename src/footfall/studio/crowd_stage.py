@@ -8,6 +8,7 @@ from footfall.arrays import Floats, Indices, Positions, Rotations
 from footfall.engine import Crowd, MotionLibrary
 from footfall.scenario.cue_sheet import ActionEntry
 from footfall.scenario.motions import Motion
+from footfall.scenario.preparation import add_action
 from footfall.skeleton import Anatomy, Skeleton, find_anatomy
 
 __all__ = ["GROUP_NAMES", "CrowdStage"]
@@ -44,14 +45,7 @@ class CrowdStage:
         """
         library = MotionLibrary()
         for entry, motion in zip(entries, motions, strict=True):
-            library.add(
-                entry.name,
-                motion.clip,
-                motion.supports,
-                priority=entry.priority,
-                fade_in=entry.fade_in,
-                fade_out=entry.fade_out,
-            )
+            add_action(library, entry, motion)
         self.names = tuple(entry.name for entry in entries)
         self.size = size
         self._crowd = Crowd(library, size)
