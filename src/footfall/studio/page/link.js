@@ -47,4 +47,4 @@ export function connect() {
 }
 
 // For tests and scripts: the same line the page uses.
-window.studio = { say, known };
+window.studio = { say, known, on };
