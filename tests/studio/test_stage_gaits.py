@@ -46,7 +46,7 @@ def steered(folder: Path) -> Stage:
             mine.toggle(go)
             mine.set_fades(go, 0.5, 0.2)
         if frame == 210:
-            mine.steer(go, 1.2, 0.0)
+            mine.steer(go, 1.2, 0.5)
         if frame == 260:
             mine.toggle(go)
     return mine
@@ -55,8 +55,11 @@ def steered(folder: Path) -> Stage:
 def test_what_was_steered_replays_bit_for_bit(tmp_path: Path) -> None:
     mine = steered(tmp_path)
     text = scenario_text(mine.scenario())
-    assert 'motions = ["sample:walk-slow", "sample:walk", "sample:walk-fast", "sample:run"]' in text
+    assert (
+        'motions = ["sample:walk-slow", "sample:walk", "sample:walk-fast", "sample:run", ' in text
+    )
     assert 'speed = { "go" = 3.1 }' in text
+    assert 'turn = { "go fade 2" = 0.5 }' in text
     recording = perform(parse_scenario(text, tmp_path / "take.toml")).recording
     performer = mine.pair()[0]
     np.testing.assert_array_equal(recording.world_positions[-1], performer.positions)
@@ -92,6 +95,22 @@ def test_it_goes_as_fast_as_it_is_asked_and_does_not_slide(tmp_path: Path) -> No
         assert (mine.pair()[0].root[1] - before) / 2.0 == pytest.approx(speed, rel=0.1)
     assert mine.pair()[0].gait("go") == (0.8, 0.0)
     assert mine.pair()[1].gait("go") == (0.8, 0.0)
+    assert mine.pair()[0].slip.total < 0.06
+
+
+@pytest.mark.parametrize(("speed", "turn"), [(1.3, 0.5), (1.3, -0.6), (3.2, 0.6)])
+def test_it_goes_round_a_curve_and_does_not_slide(
+    tmp_path: Path, speed: float, turn: float
+) -> None:
+    mine = stage(tmp_path)
+    mine.start(mine.cards[1])
+    mine.steer(mine.cards[1], speed, turn)
+    for _ in range(240):
+        mine.advance()
+    before = mine.pair()[0].root[2]
+    for _ in range(120):
+        mine.advance()
+    assert (mine.pair()[0].root[2] - before) / 2.0 == pytest.approx(turn, rel=0.15)
     assert mine.pair()[0].slip.total < 0.06
 
 

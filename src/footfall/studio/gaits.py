@@ -15,7 +15,16 @@ from footfall.studio.session import Session
 
 __all__ = ["GAIT_SAMPLES", "load_gait", "load_own_gait"]
 
-GAIT_SAMPLES = ("sample:walk-slow", "sample:walk", "sample:walk-fast", "sample:run")
+GAIT_SAMPLES = (
+    "sample:walk-slow",
+    "sample:walk",
+    "sample:walk-fast",
+    "sample:run",
+    "sample:walk-left",
+    "sample:walk-right",
+    "sample:run-left",
+    "sample:run-right",
+)
 """What is steered where no file is named."""
 
 SLOWEST = 0.3

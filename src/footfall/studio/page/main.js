@@ -9,8 +9,8 @@ import * as crowd from "./crowd.js";
 
 const byId = (id) => document.getElementById(id);
 const SPEEDS = [[1, "1×"], [0.5, "½×"], [0.25, "¼×"], [0.1, "⅒×"]];
-const SAMPLES = ["walk", "walk-slow", "walk-fast", "walk-backward", "run", "hop-right", "hop-left", "side-step",
-  "idle", "kick", "punch", "jump", "shot", "walk-to-hop"];
+const SAMPLES = ["walk", "walk-slow", "walk-fast", "walk-left", "walk-right", "walk-backward", "run", "run-left",
+  "run-right", "hop-right", "hop-left", "side-step", "idle", "kick", "punch", "jump", "shot", "walk-to-hop"];
 const views = { stage: schedule, supports: editor, crowd };
 const ARROW = /^Arrow/;
 const percent = (value) => (Math.abs(value) < 0.5 ? "0" : value.toFixed(0).replace("-", "−"));
