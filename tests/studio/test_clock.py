@@ -34,7 +34,10 @@ class Scene:
         self.hips.append(positions[0].copy())
 
     def __getattr__(self, name: str) -> Any:
-        return lambda *_, **__: self.called.append(name)
+        def shown(*_: object, **__: object) -> None:
+            self.called.append(name)
+
+        return shown
 
 
 def clock_of(folder: Path, *names: str) -> tuple[StudioClock, Session, Scene, Heard]:

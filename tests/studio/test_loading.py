@@ -141,12 +141,17 @@ def test_a_gait_of_files_is_loaded_and_goes(tmp_path: Path) -> None:
     session, heard = session_of(tmp_path)
     for name in ("walk", "run"):
         save(sample(name)[0], tmp_path / f"my {name}.bvh")
-    load(session, ["my walk.bvh", "my run.bvh"])
+    save(sample("walk")[0], tmp_path / "as fast.bvh")
+    load(session, ["my walk.bvh", "as fast.bvh", "my run.bvh"])
     session.jobs.wait()
     load_own_gait(session)
     session.jobs.wait()
     assert [text for level, text in heard.notices() if level == "error"] == []
-    session.stage.start(session.stage.cards[2])
+    gait = session.motions.find("go")
+    assert gait is not None
+    # Of two that go as fast the second one adds nothing.
+    assert (gait.entry.motion, gait.entry.others) == ("my walk.bvh", ("my run.bvh",))
+    session.stage.start(session.stage.cards[3])
     for _ in range(60):
         session.stage.advance()
     assert session.stage.activity()["go"] == "running"

@@ -21,14 +21,18 @@ from footfall.studio import page_server
 from footfall.studio.page_server import LONGEST_MESSAGE, PageServer
 
 
+def echo(message: dict[str, Any]) -> list[dict[str, Any]]:
+    return [{"kind": "echo", "said": message}]
+
+
 @contextmanager
-def serving(port: int = 0, **others: Any) -> Generator[PageServer]:
+def serving(port: int = 0) -> Generator[PageServer]:
     server = PageServer(
         "127.0.0.1",
         port,
         ("127.0.0.1",),
-        handle=others.get("handle", lambda message: [{"kind": "echo", "said": message}]),
-        greet=others.get("greet", lambda: [{"kind": "hello"}]),
+        handle=echo,
+        greet=lambda: [{"kind": "hello"}],
     )
     try:
         yield server
@@ -36,9 +40,12 @@ def serving(port: int = 0, **others: Any) -> Generator[PageServer]:
         server.stop()
 
 
-def line(server: PageServer) -> ClientConnection:
+@contextmanager
+def line(server: PageServer) -> Generator[ClientConnection]:
     origin: Any = f"http://127.0.0.1:{server.port}"
-    return connect(f"ws://127.0.0.1:{server.port}/session", origin=origin)
+    tab: Any = connect(f"ws://127.0.0.1:{server.port}/session", origin=origin)
+    with tab:
+        yield tab
 
 
 def heard(tab: ClientConnection) -> Any:
@@ -89,7 +96,8 @@ def test_what_is_no_object_is_told_and_the_line_stays(text: str | bytes) -> None
 
 def test_a_huge_message_ends_its_own_line_only() -> None:
     with serving() as server, line(server) as one, line(server) as two:
-        heard(one), heard(two)
+        heard(one)
+        heard(two)
         one.send('{"do": "' + "x" * LONGEST_MESSAGE + '"}')
         with pytest.raises(ConnectionClosed):
             one.recv(timeout=10.0)

@@ -10,6 +10,7 @@ from tests.studio.sessions import session_of
 from footfall.errors import ArgumentError
 from footfall.io import load_supports
 from footfall.scenario.cue_sheet import ActionEntry
+from footfall.studio.jobs import Job
 
 
 def test_an_unknown_view_is_refused_and_the_old_one_stays(tmp_path: Path) -> None:
@@ -120,9 +121,12 @@ def test_without_a_scene_there_is_no_picture(tmp_path: Path) -> None:
 def test_work_that_is_not_over_is_told(tmp_path: Path) -> None:
     session, _ = session_of(tmp_path)
     seen: list[object] = []
-    session.jobs.begin(
-        "digging", lambda job: (job.report(0.25, "deep"), seen.append(session.jobs_json()))
-    )
+
+    def work(job: Job) -> None:
+        job.report(0.25, "deep")
+        seen.append(session.jobs_json())
+
+    session.jobs.begin("digging", work)
     session.jobs.wait()
     job = {"number": 1, "title": "digging", "share": 0.25, "detail": "deep", "canceled": False}
     assert seen == [{"kind": "jobs", "jobs": [job]}]

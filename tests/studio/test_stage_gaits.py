@@ -55,9 +55,7 @@ def steered(folder: Path) -> Stage:
 def test_what_was_steered_replays_bit_for_bit(tmp_path: Path) -> None:
     mine = steered(tmp_path)
     text = scenario_text(mine.scenario())
-    assert (
-        'motions = ["sample:walk-slow", "sample:walk", "sample:walk-fast", "sample:run", ' in text
-    )
+    assert 'motions = ["sample:walk", "sample:walk-slow", "sample:walk-fast", ' in text
     assert 'speed = { "go" = 3.1 }' in text
     assert 'turn = { "go fade 2" = 0.5 }' in text
     recording = perform(parse_scenario(text, tmp_path / "take.toml")).recording
@@ -137,6 +135,18 @@ def test_a_speed_out_of_reach_is_refused_and_changes_nothing(tmp_path: Path) -> 
     with pytest.raises(ArgumentError) as caught:
         mine.steer(mine.cards[0], 1.0, 0.0)
     assert str(caught.value) == "'walk' is one motion; only a gait of several is steered"
+
+
+def test_a_gait_is_not_the_motion_that_it_begins_with(tmp_path: Path) -> None:
+    mine = stage(tmp_path)
+    walk, go = mine.cards[0], mine.cards[1]
+    assert mine.take.scenario.actions[0].motion == mine.take.scenario.actions[1].motion
+    mine.start(go)
+    mine.set_fades(go, 0.5, 0.2)
+    assert go.action == "go fade 2"
+    mine.set_fades(go, 0.3, 0.3)
+    assert (walk.action, go.action) == ("walk", "go")
+    assert [mine.motion_name(index) for index in range(4)] == ["walk", "go", "kick", "go"]
 
 
 def test_a_smaller_body_is_asked_for_no_more_than_it_reaches(tmp_path: Path) -> None:

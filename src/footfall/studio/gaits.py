@@ -16,8 +16,8 @@ from footfall.studio.session import Session
 __all__ = ["GAIT_SAMPLES", "load_gait", "load_own_gait"]
 
 GAIT_SAMPLES = (
-    "sample:walk-slow",
     "sample:walk",
+    "sample:walk-slow",
     "sample:walk-fast",
     "sample:run",
     "sample:walk-left",
