@@ -128,6 +128,21 @@ def test_edit_crops_mirrors_and_resamples(tmp_path: Path, capsys: Captured) -> N
     assert capsys.readouterr().out.splitlines()[0] == f"{path}: 31 frames, 1.000 s, 30 per second"
 
 
+def test_edit_lets_travel_what_was_captured_in_place(tmp_path: Path, capsys: Captured) -> None:
+    walk, _ = ff.sample("walk")
+    still, out = tmp_path / "still.glb", tmp_path / "out.bvh"
+    save_gltf(walk.evolve(pelvis_positions=walk.pelvis_positions * [0.0, 1.0, 0.0]), still)
+    assert main(["edit", str(still), str(out), "--travel"]) == 0
+    assert "  taken along by its carrying feet, 1.400 m at 1.31 m/s; " in capsys.readouterr().out
+    clip = ff.load(out)
+    assert clip.pelvis_positions[-1, 2] - clip.pelvis_positions[0, 2] == pytest.approx(
+        1.4, abs=2e-3
+    )
+    assert main(["edit", str(out), str(tmp_path / "again.bvh"), "--travel"]) == 2
+    assert "is not in place" in capsys.readouterr().err
+    assert not (tmp_path / "again.bvh").exists()
+
+
 def test_clean_writes_the_motion_and_its_supports(tmp_path: Path, capsys: Captured) -> None:
     path = tmp_path / "clean.npz"
     assert main(["clean", "sample:walk", "-o", str(path)]) == 0

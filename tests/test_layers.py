@@ -12,7 +12,7 @@ import footfall
 ROOT = Path(footfall.__file__).parent
 SOURCES = sorted(ROOT.rglob("*.py"))
 
-OPEN = frozenset({"errors", "arrays", "compilation", "extras"})
+OPEN = frozenset({"errors", "arrays", "compilation", "extras", "octets", "octet_memory"})
 """Modules that everybody may import, and that import none but each other."""
 
 _BODIES = frozenset({"geometry", "skeleton", "motion", "support"})
@@ -50,10 +50,12 @@ MAY_IMPORT: dict[str, frozenset[str]] = {
     "robots": _BODIES | {"io"},
     "datasets": _ALL_BUT_FACES | {"report", "view"},
     "studio": _ALL_BUT_FACES | {"report", "view"},
+    "benchmark": _ALL_BUT_FACES | {"view"},
+    "warming": _ALL_BUT_FACES,
     "cli": _ALL_BUT_FACES
-    | {"report", "studio", "view", "datasets", "figures", "robots", "footfall"},
+    | {"report", "studio", "view", "datasets", "figures", "robots", "benchmark", "footfall"},
     "__main__": frozenset({"cli"}),
-    "footfall": _ALL_BUT_FACES | {"report"},
+    "footfall": _ALL_BUT_FACES | {"report", "warming"},
 } | dict.fromkeys(OPEN, _NOBODY)
 """Each package, each module beside them, and `footfall` for the front door itself."""
 

@@ -13,7 +13,6 @@ from footfall.arrays import Floats
 from footfall.skeleton.rig import Rig, rig_of
 from footfall.skeleton.two_bone_ik import SOFT_REACH
 
-LEFT = 0
 HEIGHT = 0.9
 
 
@@ -21,11 +20,15 @@ def rig() -> Rig:
     return rig_of(walking_figure.skeleton(), walking_figure.anatomy())
 
 
-def standing(body: Rig) -> Floats:
-    """Return the joints, of which only the hips count, at a height of 0.9 m."""
-    positions = np.zeros((len(body.parents), 3))
-    positions[body.limbs[:, 0], 1] = HEIGHT
-    return positions
+def drop_for(body: Rig, ankle: Floats, offset: Floats) -> float:
+    """Return how far a hip 0.9 m up has to sink."""
+    hip = (0.0, HEIGHT, 0.0)
+    return needed_drop(body.leg_length, hip, vector(ankle), vector(offset))
+
+
+def vector(array: Floats) -> tuple[float, float, float]:
+    x, y, z = (float(number) for number in array)
+    return x, y, z
 
 
 def reach_after(ankle: Floats, offset: Floats, drop: float) -> float:
@@ -36,13 +39,13 @@ def reach_after(ankle: Floats, offset: Floats, drop: float) -> float:
 def test_a_leg_that_reaches_needs_no_drop() -> None:
     body = rig()
     ankle = np.array([0.0, HEIGHT - 0.8 * body.leg_length, 0.0])
-    assert needed_drop(body, LEFT, ankle, np.array([0.02, 0.0, 0.05]), standing(body)) == 0.0
+    assert drop_for(body, ankle, np.array([0.02, 0.0, 0.05])) == 0.0
 
 
 def test_a_leg_may_stay_as_straight_as_it_is() -> None:
     body = rig()
     ankle = np.array([0.0, HEIGHT - 0.999 * body.leg_length, 0.0])
-    assert needed_drop(body, LEFT, ankle, np.zeros(3), standing(body)) == 0.0
+    assert drop_for(body, ankle, np.zeros(3)) == 0.0
 
 
 offsets: Any = st.tuples(*[st.floats(-0.3, 0.3)] * 3).map(np.array)
@@ -57,7 +60,7 @@ def test_after_the_drop_the_leg_reaches_and_not_more_than_that(
     ankle = np.array([0.0, HEIGHT - share * body.leg_length, 0.0])
     longest = max(SOFT_REACH, share) * body.leg_length
     assume(np.hypot(offset[0], offset[2]) < longest)
-    drop = needed_drop(body, LEFT, ankle, offset, standing(body))
+    drop = drop_for(body, ankle, offset)
     assert drop >= 0.0
     reach = reach_after(ankle, offset, drop)
     if drop > 0.0:
@@ -69,4 +72,4 @@ def test_after_the_drop_the_leg_reaches_and_not_more_than_that(
 def test_a_print_too_far_to_the_side_is_not_reached_by_sinking() -> None:
     body = rig()
     ankle = np.array([0.0, HEIGHT - 0.8 * body.leg_length, 0.0])
-    assert needed_drop(body, LEFT, ankle, np.array([2.0, 0.0, 0.0]), standing(body)) == 0.0
+    assert drop_for(body, ankle, np.array([2.0, 0.0, 0.0])) == 0.0

@@ -7,11 +7,12 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
+from tests.oracles.slow_blending import mean_pose
 
 from footfall.arrays import Floats, SmallFloats
-from footfall.blending import add_pose, clear_pose, finish_pose
+from footfall.blending import Layers, blend_layers
 from footfall.skeleton import BodyPart
-from footfall.skeleton.normalized import EFFECTORS, channel_count
+from footfall.skeleton.normalized import EFFECTORS, by_component, channel_count, padded_count
 
 PARTS = np.array([BodyPart.LEGS, BodyPart.TRUNK, BodyPart.LEFT_ARM], dtype=np.int64)
 JOINTS = len(PARTS)
@@ -30,14 +31,27 @@ def pose(*rotations: Floats, lengths: float = 1.0) -> SmallFloats:
     return row
 
 
+def blend(
+    keys: SmallFloats, frames: list[int], fraction: float, weights: list[list[float]]
+) -> tuple[Floats, Floats]:
+    """Return rotations, joints then feet, and lengths of a mix of some frames."""
+    count, padded = len(frames), padded_count(JOINTS)
+    layers = Layers(
+        np.array(frames, dtype=np.int64),
+        np.array([frame + (fraction > 0.0) for frame in frames], dtype=np.int64),
+        np.full(count, fraction, dtype=np.float32),
+        np.array(weights, dtype=np.float32).reshape(count, len(BodyPart)),
+    )
+    masks = np.zeros((len(BodyPart), padded), dtype=np.float32)
+    masks[[*PARTS, BodyPart.LEGS, BodyPart.LEGS], np.arange(JOINTS + 2)] = 1.0
+    out = np.full(4 * padded + 8, np.nan, dtype=np.float32)
+    blend_layers(by_component(keys, JOINTS), layers, count, masks, out)
+    turned = out[: 4 * padded].reshape(4, padded).T[: JOINTS + 2]
+    return turned.astype(np.float64), out[4 * padded :][:EFFECTORS].astype(np.float64)
+
+
 def mean(poses: list[SmallFloats], weights: list[list[float]]) -> tuple[Floats, Floats]:
-    turned, effectors = np.full((JOINTS + 2, 4), np.nan), np.full(EFFECTORS, np.nan)
-    clear_pose(turned, effectors)
-    keys = np.concatenate(poses)
-    for frame, weight in enumerate(weights):
-        add_pose(keys, frame, 0.0, PARTS, np.array(weight), turned, effectors)
-    finish_pose(turned)
-    return turned, effectors
+    return blend(np.concatenate(poses), list(range(len(poses))), 0.0, weights)
 
 
 def rows(q: Any) -> list[Any]:
@@ -88,21 +102,35 @@ def test_each_body_part_has_weights_of_its_own_and_lengths_go_with_the_legs() ->
 
 def test_between_two_frames_both_count() -> None:
     keys = np.concatenate([pose(*rows([1.0, 0, 0, 0])), pose(*rows([0, 1.0, 0, 0]), lengths=2.0)])
-    turned, effectors = np.zeros((JOINTS + 2, 4)), np.zeros(EFFECTORS)
-    add_pose(keys, 0, 0.25, PARTS, np.ones(len(BodyPart)), turned, effectors)
-    assert turned[0] == pytest.approx([0.75, 0.25, 0.0, 0.0])
+    turned, effectors = blend(keys, [0], 0.25, [WHOLE])
+    assert turned[0] == pytest.approx(np.array([0.75, 0.25, 0.0, 0.0]) / np.hypot(0.75, 0.25))
     assert effectors == pytest.approx(np.full(EFFECTORS, 1.25))
 
 
 def test_the_frame_after_the_last_is_never_read() -> None:
-    keys = pose(*rows([1.0, 0, 0, 0]))
-    turned, effectors = np.zeros((JOINTS + 2, 4)), np.zeros(EFFECTORS)
-    add_pose(keys, 0, 0.0, PARTS, np.ones(len(BodyPart)), turned, effectors)
+    turned, _ = blend(pose(*rows([1.0, 0, 0, 0])), [0], 0.0, [WHOLE])
     assert np.isfinite(turned).all()
 
 
 def test_where_nothing_was_added_nothing_is_turned() -> None:
-    turned, effectors = np.zeros((JOINTS + 2, 4)), np.zeros(EFFECTORS)
-    finish_pose(turned)
+    turned, effectors = blend(pose(*rows([1.0, 0, 0, 0])), [], 0.0, [])
     assert turned == pytest.approx(np.array([[1.0, 0.0, 0.0, 0.0]] * (JOINTS + 2)))
     assert not effectors.any()
+
+
+@settings(deadline=None, max_examples=50)
+@given(st.integers(0, 2**32 - 1), st.integers(1, 5))
+def test_eight_joints_at_once_are_the_mean_joint_by_joint(seed: int, count: int) -> None:
+    random = np.random.default_rng(seed)
+    poses = [
+        pose(*random.normal(size=(JOINTS + 2, 4)), lengths=float(random.uniform()))
+        for _ in range(count)
+    ]
+    weights = random.dirichlet(np.ones(count), size=len(BodyPart)).T
+    turned, effectors = mean(poses, weights.tolist())
+    rotations, lengths = mean_pose(np.concatenate(poses), weights, PARTS)
+    # A sum that is all but nothing, or lies across a pose, has no direction to compare.
+    clear = np.linalg.norm(rotations, axis=-1) > 1e-2
+    units = rotations / np.linalg.norm(rotations, axis=-1, keepdims=True)
+    assert np.abs((turned * units).sum(axis=-1))[clear] == pytest.approx(1.0, abs=1e-4)
+    assert effectors == pytest.approx(lengths, abs=1e-6)

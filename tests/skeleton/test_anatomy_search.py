@@ -220,15 +220,15 @@ FEET_ON_THE_ROOT = """Bone
 """Shanks that end in the air: the feet are what an animator's legs reach for."""
 
 
-def test_arms_are_not_taken_for_legs() -> None:
+def test_feet_that_legs_reach_for_are_told_and_arms_not_taken_for_legs() -> None:
     with pytest.raises(SkeletonError) as refusal:
         find_anatomy(body(FEET_ON_THE_ROOT))
     assert str(refusal.value) == (
-        "no legs found: 'Foot.L' is named like a left foot, but no joint above it is named like a "
-        "knee or shank; 'Foot.R' is named like a right foot, but no joint above it is named like a "
-        "knee or shank; no two chains of three joints and equal lengths leave one joint, but for "
-        "what is named like arms; the joints are Bone, Foot.L, Body, Torso, UpperArm.L, "
-        "LowerArm.L, Palm.L, UpperArm.R, LowerArm.R, Palm.R, UpperLeg.L, LowerLeg.L, ..."
+        "no legs found: 'Foot.L' and 'Foot.R' look like the feet, but hang on 'Bone' for the legs "
+        "to reach for, not on the shanks 'LowerLeg.L' and 'LowerLeg.R', so that no chain of joints "
+        "leads from a hip to a foot; make them children of the shanks where the file was made; "
+        "the joints are Bone, Foot.L, Body, Torso, UpperArm.L, LowerArm.L, Palm.L, UpperArm.R, "
+        "LowerArm.R, Palm.R, UpperLeg.L, LowerLeg.L, ..."
     )
 
 

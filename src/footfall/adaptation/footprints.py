@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 
 from footfall.arrays import Positions
-from footfall.compilation import kernel
+from footfall.compilation import small_kernel
 
 __all__ = [
     "GRIP_TIME",
@@ -20,6 +20,7 @@ __all__ = [
     "approach",
     "hold_foot",
     "release_foot",
+    "settle",
     "spring",
     "toe_lead",
 ]
@@ -50,7 +51,7 @@ SETTLE_SPEED = 25.0
 """Of the spring that brings a carrying foot to the height of the ground [1/s]."""
 
 
-@kernel
+@small_kernel
 def toe_lead(heel_height: float, toe_height: float, heel_speed: float, toe_speed: float) -> float:
     """Return how clearly the toe of a foot carries rather than its heel: above 1, or below -1.
 
@@ -66,13 +67,13 @@ def toe_lead(heel_height: float, toe_height: float, heel_speed: float, toe_speed
     return (heel_height - toe_height) / LOWER + (heel_speed - toe_speed) / SLOWER
 
 
-@kernel
+@small_kernel
 def approach(value: float, goal: float, time: float, dt: float) -> float:
     """Return a value that has gone towards a goal for `dt`, with this time constant [s]."""
-    return goal + (value - goal) * math.exp(-dt / time)
+    return goal if value == goal else goal + (value - goal) * math.exp(-dt / time)
 
 
-@kernel
+@small_kernel
 def spring(
     value: float, speed: float, goal: float, stiffness: float, dt: float
 ) -> tuple[float, float]:
@@ -80,13 +81,22 @@ def spring(
 
     Exact for any `dt`: cutting it into pieces changes nothing.
     """
+    if value == goal and speed == 0.0:
+        return goal, 0.0
+    return settle(value, speed, goal, stiffness, dt, math.exp(-stiffness * dt))
+
+
+@small_kernel
+def settle(
+    value: float, speed: float, goal: float, stiffness: float, dt: float, decay: float
+) -> tuple[float, float]:
+    """Return what `spring` does, where `decay` is what is left of anything after `dt`, 0..1."""
     away = value - goal
     pull = speed + stiffness * away
-    decay = math.exp(-stiffness * dt)
     return goal + (away + pull * dt) * decay, (speed - stiffness * pull * dt) * decay
 
 
-@kernel
+@small_kernel
 def hold_foot(
     offset: Positions,
     velocity: Positions,
@@ -111,7 +121,7 @@ def hold_foot(
     offset[1], velocity[1] = spring(offset[1], velocity[1], height, SETTLE_SPEED, dt)
 
 
-@kernel
+@small_kernel
 def release_foot(
     offset: Positions,
     velocity: Positions,

@@ -32,7 +32,8 @@ def pack_ground(ground: AnyGround) -> Ground:
         for name, value in fields.items():
             surface[name] = value
     packed: Any = surfaces
-    return Ground(packed, np.concatenate(samples))
+    even = len(parts) == 1 and isinstance(parts[0], Plane)
+    return Ground(packed, even, np.concatenate(samples))
 
 
 def ground_heights(ground: AnyGround, points: Positions, times: Seconds) -> Floats:

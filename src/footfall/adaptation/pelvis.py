@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-import math
-
-from footfall.arrays import Positions
-from footfall.compilation import kernel
-from footfall.skeleton.rig import Rig
-from footfall.skeleton.two_bone_ik import SOFT_REACH
+from footfall.compilation import small_kernel
+from footfall.octets import greater, select, square_root
+from footfall.skeleton.two_bone_ik import SOFT_REACH, Vector
 
 __all__ = ["FALL_SPEED", "RISE_SPEED", "needed_drop"]
 
@@ -18,31 +15,22 @@ RISE_SPEED = 8.0
 """Of the spring that lets it rise again [1/s]."""
 
 
-@kernel
-def needed_drop(
-    rig: Rig, side: int, ankle: Positions, offset: Positions, positions: Positions
-) -> float:
+@small_kernel
+def needed_drop(leg_length: float, hip: Vector, ankle: Vector, offset: Vector) -> float:
     """Return how far the pelvis must sink for one leg [m].
 
     A leg may be as straight as the blended pose has it; a footprint may not make it straighter
-    than `SOFT_REACH`.
+    than `SOFT_REACH`. All relative to the root [m]; one leg, or eight at once.
 
     Args:
-        rig: The body.
-        side: Which leg.
-        ankle: Where its ankle is in the blended pose, relative to the root [m], shape (3,).
-        offset: How far its footprint moves it [m], shape (3,).
-        positions: Joints relative to the root, before the legs reach [m], shape (joints, 3).
+        leg_length: Thigh and shank together.
+        hip: Where the hip is before the legs reach.
+        ankle: Where the ankle is in the blended pose.
+        offset: How far its footprint moves it.
     """
-    hip = rig.limbs[side, 0]
-    x, y, z = (
-        positions[hip, 0] - ankle[0],
-        positions[hip, 1] - ankle[1],
-        positions[hip, 2] - ankle[2],
-    )
-    longest = max(SOFT_REACH * rig.leg_length, math.sqrt(x * x + y * y + z * z))
+    x, y, z = hip[0] - ankle[0], hip[1] - ankle[1], hip[2] - ankle[2]
+    longest = greater(SOFT_REACH * leg_length, square_root(x * x + y * y + z * z))
     x, y, z = x - offset[0], y - offset[1], z - offset[2]
-    across = x * x + z * z
-    if across + y * y <= longest * longest or across >= longest * longest:
-        return 0.0
-    return max(y - math.sqrt(longest * longest - across), 0.0)
+    room = longest * longest - (x * x + z * z)
+    drop = greater(y - square_root(greater(room, 0.0)), 0.0)
+    return select(room > 0.0, select(y * y <= room, 0.0, drop), 0.0)

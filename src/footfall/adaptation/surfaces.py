@@ -8,7 +8,7 @@ from typing import NamedTuple, Protocol
 import numpy as np
 
 from footfall.arrays import Floats
-from footfall.compilation import inner_kernel
+from footfall.compilation import inner_kernel, small_kernel
 from footfall.geometry import transforms
 
 __all__ = [
@@ -131,6 +131,9 @@ class Ground(NamedTuple):
     surfaces: Surfaces
     """One record of `surface_type` for each, shape (surfaces,)."""
 
+    even: bool
+    """Whether there is but one, endless, of one slope and at rest, its middle at the origin."""
+
     samples: Floats
     """The heights of all grids, one after the other, row by row along x [m], shape (samples,)."""
 
@@ -151,7 +154,7 @@ class Contact(NamedTuple):
     """Which surface it is; -1 where there is none."""
 
 
-@inner_kernel
+@small_kernel
 def frame_of(surface: Surface, time: float) -> tuple[float, float, float, float]:
     """Return where a surface is at a clock time: x, y, z [m] and heading [rad]."""
     share = time
@@ -165,9 +168,19 @@ def frame_of(surface: Surface, time: float) -> tuple[float, float, float, float]
     )
 
 
-@inner_kernel
+@small_kernel
 def probe(ground: Ground, x: float, z: float, time: float) -> Contact:
     """Return what lies under a place at a clock time; height 0 and level where nothing does."""
+    if ground.even:
+        one = ground.surfaces[0]
+        height = one.y + one.slope_x * x + one.slope_z * z
+        return Contact(height, one.slope_x, one.slope_z, 0)
+    return _highest(ground, x, z, time)
+
+
+@inner_kernel
+def _highest(ground: Ground, x: float, z: float, time: float) -> Contact:
+    """Return what lies under a place where there are several surfaces, or one that ends."""
     best = Contact(0.0, 0.0, 0.0, -1)
     for index in range(ground.surfaces.shape[0]):
         surface = ground.surfaces[index]

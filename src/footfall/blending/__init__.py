@@ -1,5 +1,5 @@
 """The weighted mean of normalized poses, and of the ways they go."""
 
-from footfall.blending.poses import add_pose, clear_pose, finish_pose
+from footfall.blending.poses import Layers, blend_layers
 
-__all__ = ["add_pose", "clear_pose", "finish_pose"]
+__all__ = ["Layers", "blend_layers"]

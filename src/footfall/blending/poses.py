@@ -1,86 +1,92 @@
-"""The weighted mean of normalized poses, each body part with its own weights."""
+"""The weighted mean of normalized poses, each body part with its own weights.
+
+Eight joints at once: poses lie component by component (`footfall.skeleton.normalized`).
+"""
 
 from __future__ import annotations
 
-import math
+from typing import NamedTuple
 
-from footfall.arrays import Floats, Indices, Rotations, SmallFloats, Weights
-from footfall.compilation import kernel
+from footfall.arrays import Indices, SmallFloats
+from footfall.compilation import small_kernel
+from footfall.octet_memory import load, spread, store
+from footfall.octets import LANES, select, square_root
 from footfall.skeleton import BodyPart
-from footfall.skeleton.normalized import EFFECTORS
 
-__all__ = ["add_pose", "clear_pose", "finish_pose"]
+__all__ = ["Layers", "blend_layers"]
 
 LEGS = int(BodyPart.LEGS)
 
-
-@kernel
-def clear_pose(turned: Rotations, effectors: Floats) -> None:
-    """Begin a mean: set everything to zero."""
-    turned[:] = 0.0
-    effectors[:] = 0.0
+SHORTEST = 1e-12
+"""Length of a sum of rotations below which it says nothing: no rotation then."""
 
 
-@kernel
-def add_pose(
-    keys: SmallFloats,
-    frame: int,
-    fraction: float,
-    parts: Indices,
-    weights: Weights,
-    turned: Rotations,
-    effectors: Floats,
+class Layers(NamedTuple):
+    """The poses that are mixed, each somewhere between two frames."""
+
+    frames: Indices
+    """The frame before, shape (layers,)."""
+
+    after: Indices
+    """The frame after, shape (layers,); the same where the clip ends there."""
+
+    fractions: SmallFloats
+    """How far between the two, in [0, 1), shape (layers,)."""
+
+    weights: SmallFloats
+    """Weight on each body part, shape (layers, parts)."""
+
+
+@small_kernel
+def blend_layers(
+    keys: SmallFloats, layers: Layers, count: int, part_masks: SmallFloats, out: SmallFloats
 ) -> None:
-    """Add one motion's pose between two of its frames, weighted.
+    """Write the weighted mean of some poses.
 
     A quaternion and its opposite are the same rotation: each is added on the side of the
     sphere where the sum so far lies. Lengths are those of the mean leg, so they are weighted
     like the legs.
 
     Args:
-        keys: Normalized poses, shape (frames, channels).
-        frame: The frame before; the one after is read only where `fraction` > 0.
-        fraction: How far between the two, in [0, 1).
-        parts: `BodyPart` of each joint, shape (joints,).
-        weights: Weight of this motion on each body part, shape (parts,).
-        turned: The sum of rotations, joints then feet, shape (joints + 2, 4).
-        effectors: The sum of lengths, shape (7,).
+        keys: Normalized poses by component, shape (frames, 4 rows + 8).
+        layers: Which of them.
+        count: How many layers there are.
+        part_masks: Which rows belong to a body part, shape (parts, rows).
+        out: Written: rotations of unit length and lengths, by component, shape (4 rows + 8,).
     """
-    joints = parts.shape[0]
-    after = frame + 1 if fraction > 0.0 else frame
-    for row in range(joints + 2):
-        weight = weights[parts[row]] if row < joints else weights[LEGS]
-        if weight <= 0.0:
-            continue
-        column = 4 * row
-        w = keys[frame, column] + fraction * (keys[after, column] - keys[frame, column])
-        x = keys[frame, column + 1] + fraction * (keys[after, column + 1] - keys[frame, column + 1])
-        y = keys[frame, column + 2] + fraction * (keys[after, column + 2] - keys[frame, column + 2])
-        z = keys[frame, column + 3] + fraction * (keys[after, column + 3] - keys[frame, column + 3])
-        total = turned[row]
-        if total[0] * w + total[1] * x + total[2] * y + total[3] * z < 0.0:
-            weight = -weight
-        total[0] += weight * w
-        total[1] += weight * x
-        total[2] += weight * y
-        total[3] += weight * z
-    column = 4 * joints + 8
-    weight = weights[LEGS]
-    for i in range(EFFECTORS):
-        one = keys[frame, column + i]
-        effectors[i] += weight * (one + fraction * (keys[after, column + i] - one))
+    rows, stride = part_masks.shape[1], keys.shape[1]
+    for row in range(0, rows, LANES):
+        w, x, y, z = spread(0.0), spread(0.0), spread(0.0), spread(0.0)
+        for layer in range(count):
+            share = spread(0.0)
+            for part in range(part_masks.shape[0]):
+                share = share + load(part_masks, part * rows + row) * layers.weights[layer, part]
+            before = layers.frames[layer] * stride + row
+            after = layers.after[layer] * stride + row
+            fraction = layers.fractions[layer]
+            aw = _between(keys, before, after, fraction)
+            ax = _between(keys, before + rows, after + rows, fraction)
+            ay = _between(keys, before + 2 * rows, after + 2 * rows, fraction)
+            az = _between(keys, before + 3 * rows, after + 3 * rows, fraction)
+            share = select(w * aw + x * ax + y * ay + z * az < 0.0, -share, share)
+            w, x, y, z = w + share * aw, x + share * ax, y + share * ay, z + share * az
+        length = square_root(w * w + x * x + y * y + z * z)
+        empty = length < SHORTEST
+        scale = select(empty, 0.0, 1.0 / length)
+        store(out, row, select(empty, 1.0, w * scale))
+        store(out, row + rows, x * scale)
+        store(out, row + 2 * rows, y * scale)
+        store(out, row + 3 * rows, z * scale)
+    lengths = spread(0.0)
+    for layer in range(count):
+        before = layers.frames[layer] * stride + 4 * rows
+        after = layers.after[layer] * stride + 4 * rows
+        mean = _between(keys, before, after, layers.fractions[layer])
+        lengths = lengths + mean * layers.weights[layer, LEGS]
+    store(out, 4 * rows, lengths)
 
 
-@kernel
-def finish_pose(turned: Rotations) -> None:
-    """End a mean: bring the summed rotations to unit length."""
-    for row in range(turned.shape[0]):
-        q = turned[row]
-        length = math.sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3])
-        if length < 1e-12:
-            q[0], q[1], q[2], q[3] = 1.0, 0.0, 0.0, 0.0
-        else:
-            q[0] /= length
-            q[1] /= length
-            q[2] /= length
-            q[3] /= length
+@small_kernel
+def _between(keys: SmallFloats, before: int, after: int, fraction: float) -> float:
+    one = load(keys, before)
+    return one + (load(keys, after) - one) * fraction

@@ -10,19 +10,19 @@ with footprints off, a clip alone plays back as it was.
 from __future__ import annotations
 
 from footfall.arrays import Positions
-from footfall.compilation import kernel
+from footfall.compilation import small_kernel
 from footfall.geometry import transforms
 
 __all__ = ["correct_displacement", "foot_slide", "mix_point"]
 
 
-@kernel
+@small_kernel
 def mix_point(points: Positions, side: int, toe_share: float, axis: int) -> float:
     """Return one coordinate of the point of a foot that carries, between heel and toe."""
     return (1.0 - toe_share) * points[side, 0, axis] + toe_share * points[side, 1, axis]
 
 
-@kernel
+@small_kernel
 def foot_slide(
     step: tuple[float, float, float],
     before: Positions,
@@ -45,7 +45,7 @@ def foot_slide(
     return x - before[side, point, 0], z - before[side, point, 2]
 
 
-@kernel
+@small_kernel
 def correct_displacement(
     heading: float,
     slide: tuple[float, float],

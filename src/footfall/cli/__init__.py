@@ -11,6 +11,7 @@ from collections.abc import Sequence
 from cyclopts import App, CycloptsError
 
 from footfall.cli.annotating import annotate
+from footfall.cli.benchmarking import bench
 from footfall.cli.converting import convert
 from footfall.cli.demonstration import demo
 from footfall.cli.drawing import figures
@@ -26,6 +27,7 @@ from footfall.errors import FootfallError
 
 __all__ = [
     "annotate",
+    "bench",
     "blend",
     "clean",
     "convert",
@@ -79,6 +81,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         demo,
         figures,
         studio,
+        bench,
     ):
         app.command(command)
     samples = App(name="samples", help="Motions that others have published.", version_flags=[])

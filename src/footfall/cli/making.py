@@ -10,6 +10,7 @@ from cyclopts import Parameter
 from footfall.cli.inputs import Known, about, origin_of, read_motion
 from footfall.cli.outputs import check_output, save_motion
 from footfall.detection import clean_and_tell, detect_supports
+from footfall.detection import travel as travel_clip
 from footfall.errors import ArgumentError
 from footfall.motion import Clip
 from footfall.motion.cycle_closing import cut_cycle
@@ -31,9 +32,10 @@ def edit(
     mirror: bool = False,
     resample: float | None = None,
     cycle: bool = False,
+    travel: bool = False,
     known: Known | None = None,
 ) -> None:
-    """Edit a motion: first cropped, then mirrored, then cut to a cycle, then resampled.
+    """Edit a motion: taken along, then cropped, mirrored, cut to a cycle, and last resampled.
 
     Parameters
     ----------
@@ -49,12 +51,15 @@ def edit(
         Give it this many frames per second.
     cycle
         Find one clean cycle in it, cut it out and close it.
+    travel
+        It was captured in place: let its carrying feet take it along.
     """
     check_output(output)
     times = None if crop is None else _times(crop)
-    original, _ = read_motion(source, known)
+    original, supports = read_motion(source, known)
     with about(source):
-        clip = _edited(original, times, mirror=mirror, cycle=cycle, resample=resample)
+        clip = travel_clip(original, supports) if travel else original
+        clip = _edited(clip, times, mirror=mirror, cycle=cycle, resample=resample)
     save_motion(clip, output)
     print(f"{output}: {clip.frames} frames, {clip.duration:.3f} s, {clip.fps:g} per second")
     for sentence in clip.provenance[len(original.provenance) :]:

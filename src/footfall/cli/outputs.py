@@ -20,7 +20,7 @@ from footfall.motion import Clip
 from footfall.scenario.motions import supports_path
 from footfall.support import SupportSequence
 
-__all__ = ["check_folder", "check_output", "save_motion", "write_json"]
+__all__ = ["check_beside", "check_folder", "check_output", "save_motion", "write_json"]
 
 
 def check_output(path: Path) -> None:
@@ -60,8 +60,7 @@ def save_motion(
     Raises:
         FileFormatError: If a file cannot be written, or supports of another motion lie beside it.
     """
-    if supports is None:
-        _check_none_beside(path)
+    check_beside(path, supports)
     suffix = path.suffix.lower()
     if suffix == ".glb":
         save_gltf(clip, path, supports=symbols)
@@ -73,14 +72,18 @@ def save_motion(
         save_supports(supports, supports_path(path))
 
 
-def _check_none_beside(path: Path) -> None:
+def check_beside(path: Path, supports: SupportSequence | None) -> None:
     """Refuse to write another motion beside supports that would then be taken for its own.
+
+    Args:
+        path: The motion's file.
+        supports: Its own, which are to stand beside it instead; None: it has none.
 
     Raises:
         FileFormatError: If there are any.
     """
     beside = supports_path(path)
-    if beside.exists():
+    if supports is None and beside.exists():
         raise FileFormatError(
             f"would stand beside {beside.name}, which is of another motion; "
             "delete that file, or choose another name",

@@ -6,6 +6,7 @@ from footfall.detection.intervals import Interval
 from footfall.detection.limb_contacts import detect_limb_supports, hands_on_the_ground
 from footfall.detection.phases import contact_supports, detect_supports, frame_symbols
 from footfall.detection.planted import planted_intervals
+from footfall.detection.traveling import travel
 
 __all__ = [
     "CleanedClip",
@@ -20,4 +21,5 @@ __all__ = [
     "frame_symbols",
     "hands_on_the_ground",
     "planted_intervals",
+    "travel",
 ]

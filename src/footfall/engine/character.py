@@ -10,7 +10,6 @@ from footfall.adaptation import AnyGround
 from footfall.engine.answers import Impossible, Started, Waiting
 from footfall.engine.crowd import Crowd
 from footfall.engine.flight import Flight
-from footfall.engine.goal_setting import Goals
 from footfall.engine.handed import Handed
 from footfall.engine.inspection import ActionState, action_states, present_schedule
 from footfall.engine.library import MotionLibrary
@@ -65,7 +64,6 @@ class Character(Handed):
             "flight": flight,
         }
         self._crowd: Crowd | None = None
-        self._goals: Goals | None = None
 
     @property
     def crowd(self) -> Crowd:
@@ -212,17 +210,6 @@ class Character(Handed):
         return action_states(self.crowd)[self.library.index(name)]
 
     @property
-    def goals(self) -> Goals:
-        """What its hands, eyes and seat are to meet after the blend.
-
-        Raises:
-            ArgumentError: If there is no action yet.
-        """
-        if self._goals is None:
-            self._goals = Goals(self.crowd.skeleton, self.library.anatomy)
-        return self._goals
-
-    @property
     def schedule(self) -> Schedule:
         """The slots that are decided: a copy that prints, also in a notebook."""
         return present_schedule(self.crowd)
@@ -252,10 +239,8 @@ class Character(Handed):
         """
         crowd = self.crowd
         crowd.advance(dt)
+        self._meet_goals(dt)
         me = crowd.characters[0]
-        if self._goals is not None:
-            heading = float(me["root"][2])
-            self._goals.meet(heading, dt, crowd.world_rotations[0], crowd.world_positions[0])
         return Frame(
             float(me["clock"]),
             Support(int(me["support"])),

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 
-from footfall.compilation import inlined_kernel, inner_kernel
+from footfall.compilation import inlined_kernel, inner_kernel, small_kernel
 from footfall.engine.durations import rebuild_warps, update_weights
 from footfall.engine.planning import replan
 from footfall.engine.record import SEATS, Character
@@ -47,9 +47,9 @@ def pass_time(shelf: Shelf, me: Character, search: SearchMemories, rules: Rules,
         replan(shelf, me, search, rules)
     end = me.clock + dt
     while True:
+        # Between commands weights and warps change only while something fades.
         moving = _weights_move(me)
         if moving:
-            update_weights(me)
             rebuild_warps(shelf, me)
         step = min(end, _next_deadline(me)) - me.clock
         slot_ends = False
@@ -58,34 +58,36 @@ def pass_time(shelf: Shelf, me: Character, search: SearchMemories, rules: Rules,
             left = (1.0 - me.slot_progress) * duration
             if left <= step + SAME_MOMENT:
                 step, slot_ends = min(left, step), True
-        _run_clips(shelf, me, step, slot_ends)
-        _run_fades(me, step)
+        moving = _run_clips(shelf, me, step, slot_ends) or moving
+        _run_fades(me, step, moving)
         me.clock += step
         if duration > 0.0:
             me.slot_progress += step / duration
         if slot_ends:
             enter_slot(shelf, me, search, rules)
         _lose_patience(shelf, me, rules)
+        if moving:
+            update_weights(me)
         if end - me.clock <= SAME_MOMENT and not slot_ends:
             break
     me.clock = end
     _settle(shelf, me, search, rules)
 
 
-@inner_kernel
+@small_kernel
 def _weights_move(me: Character) -> bool:
-    for seat in range(SEATS):
+    for seat in range(me.occupied):
         fading = me.fade_progress[seat, 0] < 1.0 or me.fade_progress[seat, 1] < 1.0
         if me.status[seat] >= RUNNING and (fading or me.presence[seat] != 1 - me.muted[seat]):
             return True
     return False
 
 
-@inner_kernel
+@small_kernel
 def _next_deadline(me: Character) -> float:
     """Return the clock time at which the first waiting start has waited long enough."""
     soonest = math.inf
-    for seat in range(SEATS):
+    for seat in range(me.occupied):
         if me.status[seat] == WAITING:
             soonest = min(soonest, max(me.patience[seat], me.clock))
     return soonest
@@ -94,7 +96,7 @@ def _next_deadline(me: Character) -> float:
 @inner_kernel
 def _lose_patience(shelf: Shelf, me: Character, rules: Rules) -> None:
     """Give up the starts that have waited long enough, or start them muted."""
-    for seat in range(SEATS):
+    for seat in range(me.occupied):
         if me.status[seat] == WAITING and me.patience[seat] <= me.clock + SAME_MOMENT:
             if me.late[seat] == STARTS_MUTED:
                 enter_muted(shelf, me, rules, seat)
@@ -102,10 +104,15 @@ def _lose_patience(shelf: Shelf, me: Character, rules: Rules) -> None:
                 me.status[seat] = EMPTY
 
 
-@inner_kernel
-def _run_clips(shelf: Shelf, me: Character, step: float, slot_ends: bool) -> None:
-    """Advance every clip: warped where it is synchronized, else at its own speed."""
-    for seat in range(SEATS):
+@small_kernel
+def _run_clips(shelf: Shelf, me: Character, step: float, slot_ends: bool) -> bool:
+    """Advance every clip: warped where it is synchronized, else at its own speed.
+
+    Returns:
+        Whether one is over, and begins to fade out.
+    """
+    over = False
+    for seat in range(me.occupied):
         if me.status[seat] < RUNNING:
             continue
         if me.synchronized and me.playing[seat] and not me.muted[seat]:
@@ -135,14 +142,18 @@ def _run_clips(shelf: Shelf, me: Character, step: float, slot_ends: bool) -> Non
             clip_time = shelf.entries[action].duration
             me.rate[seat] = 0.0
             begin_leaving(shelf, me, seat)
+            over = True
         me.clip_time[seat] = clip_time
+    return over
 
 
-@inner_kernel
-def _run_fades(me: Character, step: float) -> None:
+@small_kernel
+def _run_fades(me: Character, step: float, moving: bool) -> None:
     """Advance every fade; leg weights wait while both feet carry, or none (S-27)."""
     pace = _fade_pace(me, step)
-    for seat in range(SEATS):
+    if not moving:
+        return
+    for seat in range(me.occupied):
         if me.status[seat] < RUNNING:
             continue
         asked = me.fade_asked[seat]
@@ -163,7 +174,7 @@ def _run_fades(me: Character, step: float) -> None:
             me.fade_elapsed[seat, group] += step
 
 
-@inner_kernel
+@small_kernel
 def _fade_pace(me: Character, step: float) -> float:
     """Return how fast leg weights may move, 0 to 1, in the middle of the next step.
 
@@ -195,7 +206,7 @@ def _fade_pace(me: Character, step: float) -> float:
 def _settle(shelf: Shelf, me: Character, search: SearchMemories, rules: Rules) -> None:
     """Let go what has faded out beside the schedule, and say what carries the body."""
     standing = True
-    for seat in range(SEATS):
+    for seat in range(me.occupied):
         if me.status[seat] == LEAVING and not me.playing[seat]:
             progress = me.fade_progress[seat]
             if progress[0] >= 1.0 and progress[1] >= 1.0:
@@ -205,21 +216,22 @@ def _settle(shelf: Shelf, me: Character, search: SearchMemories, rules: Rules) -
     if standing and me.synchronized:
         me.slot_duration = 0.0
         retry_waiting(shelf, me, search, rules)
-    update_weights(me)
+    while me.occupied > 0 and me.status[me.occupied - 1] == EMPTY:
+        me.occupied -= 1
     me.support = _present_support(shelf, me)
 
 
-@inner_kernel
+@small_kernel
 def _present_support(shelf: Shelf, me: Character) -> int:
     """Return the combined support, or without synchronization that of the heaviest action."""
     if me.synchronized:
-        for seat in range(SEATS):
+        for seat in range(me.occupied):
             if me.playing[seat]:
                 return me.results[0]
         return DOUBLE
     heaviest = me.weights[SEATS, LEGS]
     support = DOUBLE
-    for seat in range(SEATS):
+    for seat in range(me.occupied):
         if me.status[seat] >= RUNNING and me.weights[seat, LEGS] > heaviest:
             heaviest = me.weights[seat, LEGS]
             support = support_at(shelf, me.action[seat], me.clip_time[seat])

@@ -1,14 +1,17 @@
-"""Start and stop, for one character (figure 2: t1 and t3)."""
+"""Start, stop and priorities, row by row inside one kernel (figure 2: t1 and t3)."""
 
 from __future__ import annotations
 
 from typing import Any
 
+import numpy as np
 import numpy.typing as npt
 
-from footfall.compilation import inner_kernel, kernel
+from footfall.arrays import Flags, Floats, Indices, Seconds
+from footfall.compilation import inner_kernel, lean_kernel
+from footfall.engine.clock import pass_time
 from footfall.engine.record import SEATS, Character
-from footfall.engine.shelf import Shelf
+from footfall.engine.shelf import Shelf, key_at, read_points
 from footfall.engine.slots import begin_leaving
 from footfall.engine.starting import NONE, enter_action
 from footfall.engine.state import EMPTY, RUNNING, WAITING
@@ -17,44 +20,67 @@ from footfall.sync.search_memory import SearchMemories
 from footfall.sync.tables import Rules
 from footfall.timing import reverse_fade
 
-__all__ = ["NO_SEAT", "STARTED", "WAITS", "start_row", "stop_row"]
+__all__ = ["NOBODY", "catch_up_rows", "prioritize_rows", "start_rows", "stop_rows"]
 
 LEGS = int(BodyPart.LEGS)
 PARTS = len(BodyPart)
 
-NO_SEAT, WAITS, STARTED = -1, 0, 1
-"""What `start_row` returns."""
+NOBODY = -1
+"""What `start_rows` returns where everybody has a seat."""
 
 
-@kernel
-def start_row(
+@lean_kernel
+def start_rows(
     shelf: Shelf,
     characters: npt.NDArray[Any],
     search: SearchMemories,
     rules: Rules,
-    row: int,
+    rows: Indices,
     action: int,
     patience: float,
     late: int,
+    out: Flags,
 ) -> int:
-    """Start an action of one character, or seat it to wait for its moment.
-
-    A running one goes on; one that fades out rises again, unless its clip is over (S-14).
+    """Start an action of many characters, each at once or as soon as its moment comes.
 
     Args:
         shelf: The library.
-        characters: Records of `character_type`, shape (rows,).
+        characters: Records of `character_type`, shape (all rows,).
         search: Working memory of the planner.
         rules: The rules of the planner.
-        row: Which character.
+        rows: Which characters, shape (rows,).
         action: Which action of the library.
-        patience: How long the start waits at most [s], >= 0.
+        patience: How long a start waits at most [s], >= 0.
         late: What becomes of it then: `GIVES_UP` or `STARTS_MUTED`.
+        out: Written: whether it runs now, shape (rows,).
 
     Returns:
-        `STARTED`, `WAITS`, or `NO_SEAT` where every seat is taken.
+        The first row that has no seat for it, and nothing is changed; else -1.
     """
-    me: Character = characters[row]
+    for place in range(rows.shape[0]):
+        me: Character = characters[int(rows[place])]
+        if not _has_room(shelf, me, action):
+            return int(rows[place])
+    for place in range(rows.shape[0]):
+        me = characters[int(rows[place])]
+        out[place] = _start_row(shelf, me, search, rules, action, patience, late)
+    return NOBODY
+
+
+@inner_kernel
+def _start_row(
+    shelf: Shelf,
+    me: Character,
+    search: SearchMemories,
+    rules: Rules,
+    action: int,
+    patience: float,
+    late: int,
+) -> bool:
+    """Start an action of one character, or seat it to wait; return whether it runs now.
+
+    A running one goes on; one that fades out rises again, unless its clip is over (S-14).
+    """
     free = NONE
     for seat in range(SEATS):
         status = me.status[seat]
@@ -64,22 +90,66 @@ def start_row(
             if status == WAITING:
                 me.patience[seat] = me.clock + patience
                 me.late[seat] = late
-                return WAITS
+                return False
             if status == RUNNING:
-                return STARTED
+                return True
             over = me.clip_time[seat] >= shelf.entries[action].duration
             if shelf.entries[action].cyclic or not over:
                 _rise_again(shelf, me, seat)
                 me.unsettled = True
-                return STARTED
-    if free < 0:
-        return NO_SEAT
+                return True
     _take_seat(shelf, me, free, action)
     me.patience[free] = me.clock + patience
     me.late[free] = late
-    if enter_action(shelf, me, search, rules, free):
-        return STARTED
-    return WAITS
+    return enter_action(shelf, me, search, rules, free)
+
+
+@inner_kernel
+def _has_room(shelf: Shelf, me: Character, action: int) -> bool:
+    """Return whether a start would find a seat."""
+    for seat in range(SEATS):
+        if me.status[seat] == EMPTY:
+            return True
+        if me.action[seat] == action:
+            over = me.clip_time[seat] >= shelf.entries[action].duration
+            rises = shelf.entries[action].cyclic or not over
+            if me.status[seat] in (WAITING, RUNNING) or rises:
+                return True
+    return False
+
+
+@lean_kernel
+def catch_up_rows(
+    shelf: Shelf,
+    characters: npt.NDArray[Any],
+    search: SearchMemories,
+    rules: Rules,
+    rows: Indices,
+    ahead: Seconds,
+) -> None:
+    """Let characters that have shown nothing be where they would be had they begun earlier.
+
+    Args:
+        shelf: The library.
+        characters: Records of `character_type`, shape (all rows,); clocks are as before.
+        search: Working memory of the planner.
+        rules: The rules of the planner.
+        rows: Which characters, shape (rows,).
+        ahead: How much earlier [s], >= 0, shape (rows,).
+    """
+    for place in range(rows.shape[0]):
+        me: Character = characters[int(rows[place])]
+        now = me.clock
+        pass_time(shelf, me, search, rules, ahead[place])
+        for seat in range(me.occupied):
+            if me.status[seat] >= RUNNING:
+                me.posed_time[seat] = me.clip_time[seat]
+                frame, fraction, _ = key_at(shelf.entries[me.action[seat]], me.clip_time[seat])
+                read_points(shelf, frame, fraction, me.seat_points[seat])
+            for time in (0, 3):
+                me.segment[seat, time] -= ahead[place]
+            me.patience[seat] -= ahead[place]
+        me.clock = now
 
 
 @inner_kernel
@@ -95,6 +165,7 @@ def _take_seat(shelf: Shelf, me: Character, seat: int, action: int) -> None:
     me.fade_elapsed[seat, 0] = me.fade_elapsed[seat, 1] = 0.0
     me.playing[seat] = False
     me.status[seat] = WAITING
+    me.occupied = max(me.occupied, seat + 1)
 
 
 @inner_kernel
@@ -108,11 +179,23 @@ def _rise_again(shelf: Shelf, me: Character, seat: int) -> None:
         me.fade_elapsed[seat, group] = elapsed
 
 
-@kernel
-def stop_row(shelf: Shelf, characters: npt.NDArray[Any], row: int, action: int) -> None:
-    """Stop an action of one character: fade it out, or give up its wait."""
-    me: Character = characters[row]
-    for seat in range(SEATS):
-        if me.status[seat] != EMPTY and me.action[seat] == action:
-            begin_leaving(shelf, me, seat)
-            me.unsettled = True
+@lean_kernel
+def stop_rows(shelf: Shelf, characters: npt.NDArray[Any], rows: Indices, action: int) -> None:
+    """Stop an action of many characters: fade it out, or give up its wait."""
+    for place in range(rows.shape[0]):
+        me: Character = characters[int(rows[place])]
+        for seat in range(SEATS):
+            if me.status[seat] != EMPTY and me.action[seat] == action:
+                begin_leaving(shelf, me, seat)
+                me.unsettled = True
+
+
+def prioritize_rows(
+    characters: npt.NDArray[Any], rows: Indices, action: int, priorities: Floats
+) -> None:
+    """Give an action of many characters other priorities, shape (parts,)."""
+    seated = (characters["action"][rows] == action) & (characters["status"][rows] != EMPTY)
+    places, seats = np.nonzero(seated)
+    characters["priorities"][rows[places], seats] = priorities
+    characters["priority"][rows[places], seats] = priorities[LEGS]
+    characters["unsettled"][rows] = True

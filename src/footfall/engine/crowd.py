@@ -2,38 +2,36 @@
 
 from __future__ import annotations
 
-import math
 from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
 from footfall.adaptation import AnyGround, Plane
-from footfall.arrays import Positions, Rotations, Supports
-from footfall.engine.commands import NO_SEAT, start_row, stop_row
+from footfall.arrays import Positions, Rotations, SmallFloats, Supports
 from footfall.engine.flight import Flight, flight_of
 from footfall.engine.library import MotionLibrary
 from footfall.engine.parameters import FINEST, Parameters
-from footfall.engine.pipeline import advance_rows
+from footfall.engine.pipeline import advance_blocks
+from footfall.engine.placing import world_poses_of
+from footfall.engine.populating import Populating, blocks_of
 from footfall.engine.reaching import Reaching
-from footfall.engine.record import SEATS
-from footfall.engine.refusals import LATE, Late, check_patience, explain_wait
-from footfall.engine.rows import Rows, check_rows
-from footfall.engine.shelf import Shelf
-from footfall.engine.state import new_characters, new_workspace
+from footfall.engine.standing import Standing
+from footfall.engine.state import Workspace, new_characters
+from footfall.engine.workers import Workers
 from footfall.errors import ArgumentError, SkeletonError
+from footfall.octets import LANES
 from footfall.skeleton import Skeleton
-from footfall.sync.refusal import Refusal
-from footfall.sync.search_memory import SearchMemories
-from footfall.sync.tables import Planner, Rules, rules_of
+from footfall.skeleton.octet_poses import PLACEMENT
+from footfall.sync.tables import Planner, rules_of
 
 __all__ = ["Crowd"]
 
 
-class Crowd(Reaching):
+class Crowd(Standing, Reaching, Populating):
     """Characters that share a motion library and a body. One character is a crowd of one.
 
-    Same commands, same bits: nothing here reads a clock or rolls dice.
+    Same commands, same bits, on however many threads: nothing here reads a clock or rolls dice.
     """
 
     def __init__(
@@ -48,12 +46,13 @@ class Crowd(Reaching):
         synchronized: bool = True,
         footprints: bool = True,
         flight: Flight = "played",
+        threads: int | None = None,
     ) -> None:
         """Place characters at the origin, facing +z, doing nothing.
 
         Args:
             library: Its actions can be started, also those that are added later.
-            size: How many characters, >= 1.
+            size: How many characters, >= 1; more can be spawned.
             skeleton: Their body, its joints in any order; by default the library's.
             ground: What they stand on; by default a plane at height 0.
             planner: "footfall", or "paper" for the rule as printed.
@@ -64,6 +63,7 @@ class Crowd(Reaching):
             flight: What happens while nothing carries: motions are "played" as they are; weights
                 are "frozen" as they were at take-off; or the body is "ballistic" too, it falls
                 freely however long the flight is made (S-27).
+            threads: How many threads advance a large crowd, >= 1; by default one a processor.
 
         Raises:
             ArgumentError: If a number is out of range, or the flight is unknown.
@@ -79,90 +79,39 @@ class Crowd(Reaching):
                 f"{library.skeleton.count}; joint names and parents must be the same"
             )
         self.library = library
-        self.size = size
         self.skeleton = (skeleton or library.skeleton).ordered_like(library.skeleton)
         self._planner: Planner = planner
         self._rules = rules_of(planner, ended="stop" if planner == "paper" else None)
         self._rig = library.rig(self.skeleton)
         self._shelf = library.shelf(planner)
         self._known = len(library.actions)
+        self._workers = Workers(self.skeleton.count, threads)
+        self._newborn = new_characters(1, lookahead)
+        self._newborn["synchronized"] = synchronized
+        self._newborn["printed"] = footprints and synchronized
+        self._newborn["flight"] = flight_of(flight)
         self._parameters = Parameters()
-        self._work = new_workspace(self.skeleton.count)
-        self._characters = new_characters(size, lookahead)
-        self._characters["synchronized"] = synchronized
-        self._characters["printed"] = footprints and synchronized
-        self._characters["flight"] = flight_of(flight)
+        self._characters, self._poses = self._newborn[:0], self._blank_poses(0)
+        self._make_room(size)
+        self._characters["present"] = 1
         self.ground = Plane() if ground is None else ground
-        self._world_positions = np.zeros((size, self.skeleton.count, 3))
-        self._world_rotations = np.zeros((size, self.skeleton.count, 4))
 
-    def _refresh(self) -> None:
-        if len(self.library.actions) != self._known:
-            self._shelf = self.library.shelf(self._planner)
-            self._known = len(self.library.actions)
-            self._parameters.write(self._shelf, self._characters, self.library.actions)
+    def _blank_poses(self, rows: int) -> SmallFloats:
+        shape = (blocks_of(rows), self.skeleton.count, PLACEMENT, LANES)
+        return np.zeros(shape, dtype=np.float32)
 
-    def start(
-        self,
-        action: int,
-        rows: Rows = None,
-        *,
-        patience: float = math.inf,
-        late: Late = "give up",
-    ) -> npt.NDArray[np.bool_]:
-        """Start an action, or let it wait for its moment.
-
-        Args:
-            action: Its id in the library.
-            rows: Which characters: row numbers, a mask, or None for all.
-            patience: How long it waits at most [s], >= 0; for ever by default.
-            late: What becomes of it then: "give up", or "mute" to go on without its legs.
-
-        Returns:
-            Whether it runs now, for each of the rows; where not, it waits for its moment.
-
-        Raises:
-            ArgumentError: If an argument is out of range, or a character has its hands full.
-        """
-        check_patience(patience, late)
-        action = self._check_action(action)
-        chosen = check_rows(rows, self.size)
-        started = np.zeros(len(chosen), dtype=np.bool_)
-        search, patience, then = self._work.search, float(patience), LATE[late]
-        for place, row in enumerate(chosen):
-            code = start_row(
-                self._shelf, self._characters, search, self._rules, int(row), action, patience, then
-            )
-            if code == NO_SEAT:
-                raise ArgumentError(
-                    f"character {row} already has {SEATS} actions running, waiting or fading; "
-                    "stop one first"
-                )
-            started[place] = code > 0
-        return started
-
-    def refusal(self, action: int, row: int) -> Refusal:
-        """Say why an action of one character waits, and when it will start.
-
-        Raises:
-            ArgumentError: If it does not wait, or does not exist.
-        """
-        me, action = self._characters[check_rows([row], self.size)[0]], self._check_action(action)
-        return explain_wait(self._shelf, me, self._work.search, self._rules, self.library, action)
-
-    def stop(self, action: int, rows: Rows = None) -> None:
-        """Let an action fade out, or cancel its waiting start.
-
-        Args:
-            action: Its id in the library.
-            rows: Which characters: row numbers, a mask, or None for all.
-
-        Raises:
-            ArgumentError: If the action or a row does not exist.
-        """
-        action = self._check_action(action)
-        for row in check_rows(rows, self.size):
-            stop_row(self._shelf, self._characters, int(row), action)
+    def _make_room(self, rows: int) -> None:
+        characters = np.repeat(self._newborn, rows)
+        characters["present"] = 0
+        characters[: self.size] = self._characters
+        joints = self.skeleton.count
+        poses = self._blank_poses(rows)
+        poses[: len(self._poses)] = self._poses
+        self._characters, self._poses = characters, poses
+        self._make_hands_room(rows)
+        self._world_positions: Positions = np.zeros((rows, joints, 3))
+        self._world_rotations: Rotations = np.zeros((rows, joints, 4))
+        self._stale = True
 
     def advance(self, dt: float) -> None:
         """Let time pass for everybody.
@@ -176,44 +125,43 @@ class Crowd(Reaching):
         if not (0.0 <= dt < float("inf")):
             raise ArgumentError(f"dt is {dt} s; it must be finite and >= 0")
         self._refresh()
-        while self._parameters.moving and dt > 0.0:
-            step = min(dt, FINEST)
-            self._parameters.advance(self._shelf, self._characters, self.library.actions, step)
-            self._advance(step)
-            dt -= step
-            if dt <= 0.0:
-                return
-        self._advance(dt)
+        left = float(dt)
+        while self._parameters.moving and left > FINEST:
+            self._step(FINEST)
+            left -= FINEST
+        self._step(left)
 
-    def _advance(self, dt: float) -> None:
-        advance_rows(
-            self._shelf,
-            self._packed_ground,
-            self._rig,
-            self._characters,
-            self._work,
-            self._rules,
-            self._world_rotations,
-            self._world_positions,
-            float(dt),
-        )
-        self._move_hands(self._world_rotations, self._world_positions, dt)
+    def _step(self, dt: float) -> None:
+        """Let a time pass in which parameters are worked out once."""
+        if self._parameters.moving and dt > 0.0:
+            self._parameters.advance(self._shelf, self._characters, self.library.actions, dt)
 
-    @property
-    def shelf(self) -> Shelf:
-        """The library as the kernels take it."""
-        self._refresh()
-        return self._shelf
+        def advance(work: Workspace, first: int, end: int) -> None:
+            advance_blocks(
+                self._shelf,
+                self._packed_ground,
+                self._rig,
+                self._characters,
+                work,
+                self._rules,
+                self._poses,
+                dt,
+                first,
+                end,
+            )
 
-    @property
-    def search(self) -> SearchMemories:
-        """Memory of the planner."""
-        return self._work.search
+        self._workers.run(advance, len(self._poses))
+        self._stale = True
+        if self._hands is not None:
+            self._in_world()
+            self._move_hands(self._world_rotations, self._world_positions, dt)
 
-    @property
-    def rules(self) -> Rules:
-        """The rules of the planner."""
-        return self._rules
+    def _in_world(self) -> None:
+        if self._stale:
+            world_poses_of(
+                self._characters, self._poses, self._world_rotations, self._world_positions
+            )
+            self._stale = False
 
     @property
     def characters(self) -> npt.NDArray[Any]:
@@ -221,13 +169,27 @@ class Crowd(Reaching):
         return self._characters
 
     @property
+    def poses(self) -> SmallFloats:
+        """Joints relative to the roots, eight characters side by side, as they are worked out.
+
+        Rotation w, x, y, z and position x, y, z [m] of each joint, shape (blocks, joints, 7, 8):
+        character `row` is in block `row // 8`, place `row % 8`. A view that advance overwrites.
+        """
+        return self._poses
+
+    @property
     def world_positions(self) -> Positions:
-        """Joints in the world [m], shape (rows, joints, 3); a view that advance overwrites."""
+        """Joints in the world [m], shape (rows, joints, 3), worked out when they are asked for.
+
+        A view that is overwritten when they are asked for after the next advance.
+        """
+        self._in_world()
         return self._world_positions
 
     @property
     def world_rotations(self) -> Rotations:
-        """Joints in the world, shape (rows, joints, 4); a view that advance overwrites."""
+        """Joints in the world, shape (rows, joints, 4); likewise."""
+        self._in_world()
         return self._world_rotations
 
     @property

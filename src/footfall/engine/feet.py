@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
-from footfall.compilation import inner_kernel
+from footfall.arrays import SmallFloats
+from footfall.compilation import small_kernel
 from footfall.engine.record import SEATS, Character
 from footfall.engine.shelf import Shelf
-from footfall.engine.state import Workspace
-from footfall.geometry import quaternions
+from footfall.geometry import quaternions, transforms
+from footfall.octets import LANES
 from footfall.skeleton import BodyPart
 from footfall.skeleton.normalized import ANKLES
+from footfall.skeleton.rig import Rig
 from footfall.support import Support
 
-__all__ = ["carries", "locate_feet", "stand_where_planted"]
+__all__ = ["carries", "locate_feet", "stand_level", "stand_where_planted"]
 
 LEGS = int(BodyPart.LEGS)
 LEFT_FOOT = int(Support.LEFT) & ~int(Support.RIGHT)
@@ -19,13 +21,13 @@ RIGHT_FOOT = int(Support.RIGHT) & ~int(Support.LEFT)
 DOUBLE = int(Support.DOUBLE)
 
 
-@inner_kernel
+@small_kernel
 def carries(support: int, side: int) -> bool:
     """Return whether a foot, 0 left or 1 right, is among those that carry."""
     return (support & (LEFT_FOOT if side == 0 else RIGHT_FOOT)) != 0
 
 
-@inner_kernel
+@small_kernel
 def stand_where_planted(shelf: Shelf, me: Character) -> None:
     """Let the neutral motion, where it takes over from both feet, stand where they are.
 
@@ -35,10 +37,9 @@ def stand_where_planted(shelf: Shelf, me: Character) -> None:
     if weight <= 0.0:
         me.stands = False
         return
-    first = ANKLES + 4 * shelf.joints + 8
+    first = ANKLES + shelf.keys.shape[1] - LANES
     last = shelf.keys.shape[0] - 1
-    begins = not me.stands
-    if begins:
+    if not me.stands:
         me.stands = True
         apart = me.support == DOUBLE and not me.fresh and me.synchronized
         for side in range(2):
@@ -50,30 +51,47 @@ def stand_where_planted(shelf: Shelf, me: Character) -> None:
         for axis in range(2):
             shift = me.stance[side, axis]
             me.effectors[ANKLES + 3 * side + 2 * axis] += weight * shift
-            for point in range(2):
-                me.seat_points[SEATS, side, point, 2 * axis] += shift
-                if begins:
-                    me.old_points[SEATS, side, point, 2 * axis] += shift
 
 
-@inner_kernel
-def locate_feet(shelf: Shelf, me: Character, work: Workspace) -> None:
+@small_kernel
+def locate_feet(shelf: Shelf, me: Character, blended: SmallFloats) -> None:
     """Find heel and toe of the blended feet (stage 5).
 
     Written: `me.points` in leg lengths, `me.heights` over each point's own height at rest.
+
+    Args:
+        shelf: The library.
+        me: The character.
+        blended: Its blended pose by component, shape (4 rows + 8,).
     """
+    rows = (blended.shape[0] - LANES) // 4
     for side in range(2):
-        q = work.turned[shelf.joints + side]
+        foot = shelf.joints + side
+        w, qx = float(blended[foot]), float(blended[foot + rows])
+        qy, qz = float(blended[foot + 2 * rows]), float(blended[foot + 3 * rows])
         for point in range(2):
             offset = shelf.points[side, point]
-            resting = 0.0
-            for seat in range(SEATS + 1):
-                weight = me.weights[seat, LEGS]
-                if weight > 0.0:
-                    action = me.action[seat] if seat < SEATS else shelf.entries.shape[0]
-                    resting += weight * shelf.resting_heights[action, side, point]
-            x, y, z = quaternions.rotate(q[0], q[1], q[2], q[3], offset[0], offset[1], offset[2])
+            standing = shelf.resting_heights[shelf.entries.shape[0], side, point]
+            resting = me.weights[SEATS, LEGS] * standing
+            for seat in range(me.occupied):
+                height = shelf.resting_heights[me.action[seat], side, point]
+                resting += me.weights[seat, LEGS] * height
+            x, y, z = quaternions.rotate(w, qx, qy, qz, offset[0], offset[1], offset[2])
             me.points[side, point, 0] = x + me.effectors[1 + 3 * side]
             me.points[side, point, 1] = y + me.effectors[2 + 3 * side]
             me.points[side, point, 2] = z + me.effectors[3 + 3 * side]
             me.heights[side, point] = me.points[side, point, 1] - resting
+
+
+@small_kernel
+def stand_level(rig: Rig, me: Character, side: int) -> None:
+    """Write heel and toe of a foot in the world, its sole not tilted."""
+    me.tilt[side, 0] = me.tilt[side, 1] = 0.0
+    for point in range(2):
+        own = me.points[side, point]
+        leg = rig.leg_length
+        x, z = transforms.turn(me.facing[0], me.facing[1], leg * own[0], leg * own[2])
+        me.world_points[side, point, 0] = me.root[0] + x
+        me.world_points[side, point, 1] = leg * own[1]
+        me.world_points[side, point, 2] = me.root[1] + z
+        me.tilt_rise[side, point] = 0.0

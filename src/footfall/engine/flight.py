@@ -11,11 +11,12 @@ from __future__ import annotations
 from typing import Literal
 
 from footfall.adaptation.footprints import spring
-from footfall.compilation import inner_kernel
+from footfall.compilation import small_kernel
 from footfall.engine.record import SEATS, Character
 from footfall.engine.shelf import Shelf, key_at, phase_end
 from footfall.engine.state import RUNNING
 from footfall.errors import ArgumentError
+from footfall.octets import LANES
 from footfall.skeleton import BodyPart
 from footfall.skeleton.rig import Rig
 from footfall.support import Support
@@ -56,7 +57,7 @@ def flight_of(name: str) -> int:
     return FLIGHTS[name]
 
 
-@inner_kernel
+@small_kernel
 def fly(shelf: Shelf, rig: Rig, me: Character, dt: float) -> None:
     """Move the blended body up or down so that it falls freely while nothing carries it."""
     leg = rig.leg_length
@@ -88,7 +89,7 @@ def fly(shelf: Shelf, rig: Rig, me: Character, dt: float) -> None:
     me.effectors[5] += lift
 
 
-@inner_kernel
+@small_kernel
 def _landing(shelf: Shelf, leg: float, me: Character) -> tuple[float, float]:
     """Return in how long the body lands [s], and how high the pelvis then is [m]."""
     last = 0
@@ -117,10 +118,10 @@ def _landing(shelf: Shelf, leg: float, me: Character) -> tuple[float, float]:
     return left, leg * height
 
 
-@inner_kernel
+@small_kernel
 def _pelvis_height(shelf: Shelf, frame: int, fraction: float) -> float:
     """Return how high the pelvis of a clip is over the ground, in leg lengths."""
-    column = 4 * shelf.joints + 8
+    column = shelf.keys.shape[1] - LANES
     after = frame + 1 if fraction > 0.0 else frame
-    one = shelf.keys[frame, column]
-    return one + fraction * (shelf.keys[after, column] - one)
+    one = float(shelf.keys[frame, column])
+    return one + fraction * (float(shelf.keys[after, column]) - one)

@@ -1,4 +1,4 @@
-"""The hands of one character: commands with names instead of numbers."""
+"""The hands, eyes and seat of one character: commands with names instead of numbers."""
 
 from __future__ import annotations
 
@@ -7,18 +7,41 @@ from abc import ABC, abstractmethod
 import numpy.typing as npt
 
 from footfall.engine.crowd import Crowd
+from footfall.engine.goal_setting import Goals
+from footfall.engine.library import MotionLibrary
 from footfall.engine.reaching import HandState, Side
 
 __all__ = ["Handed"]
 
 
 class Handed(ABC):
-    """The part of a character that moves its hands."""
+    """The part of a character that meets things of the world after the blend."""
+
+    library: MotionLibrary
+    _goals: Goals | None = None
 
     @property
     @abstractmethod
     def crowd(self) -> Crowd:
         """The crowd of one that this character is."""
+
+    @property
+    def goals(self) -> Goals:
+        """What its hands, eyes and seat are to meet after the blend.
+
+        Raises:
+            ArgumentError: If there is no action yet.
+        """
+        if self._goals is None:
+            self._goals = Goals(self.crowd.skeleton, self.library.anatomy)
+        return self._goals
+
+    def _meet_goals(self, dt: float) -> None:
+        """Turn the pose that has just been worked out towards the goals."""
+        if self._goals is not None:
+            crowd = self.crowd
+            heading = float(crowd.characters["root"][0, 2])
+            self._goals.meet(heading, dt, crowd.world_rotations[0], crowd.world_positions[0])
 
     def reach(
         self,

@@ -10,7 +10,8 @@ from __future__ import annotations
 import math
 
 from footfall.adaptation.surfaces import SLOPE, Ground, probe
-from footfall.compilation import inner_kernel
+from footfall.arrays import Positions
+from footfall.compilation import small_kernel
 from footfall.engine.feet import carries
 from footfall.engine.record import SEATS, Character
 from footfall.engine.shelf import Shelf, key_at, read_points, travel
@@ -48,12 +49,26 @@ DOWN = 0.05
 this from where the slope leads is behind an edge."""
 
 
-@inner_kernel
-def foresee_landings(shelf: Shelf, ground: Ground, rig: Rig, me: Character) -> None:
+@small_kernel
+def foresee_landings(
+    shelf: Shelf, ground: Ground, rig: Rig, me: Character, points: Positions
+) -> None:
     """Find where and when each swinging foot comes down, if that is in the next slot.
 
     Written: `me.landing` and `me.landing_time`.
+
+    Args:
+        shelf: The library.
+        ground: What it stands on; where that is even, a foot lands anywhere.
+        rig: The body.
+        me: The character.
+        points: Memory for the foot points of one motion, shape (2, 2, 3).
     """
+    if ground.even:
+        for side in range(2):
+            me.landing_time[side] = -1.0
+            me.landing[side, 0] = me.landing[side, 1] = 0.0
+        return
     left = (1.0 - me.slot_progress) * me.slot_duration
     known = False
     for side in range(2):
@@ -66,29 +81,29 @@ def foresee_landings(shelf: Shelf, ground: Ground, rig: Rig, me: Character) -> N
         known = True
     if not known:
         return
-    _foresee_points(shelf, me)
+    _foresee_points(shelf, me, points)
     for side in range(2):
         if me.landing_time[side] >= 0.0:
             _choose_place(ground, rig, me, side)
 
 
-@inner_kernel
-def _foresee_points(shelf: Shelf, me: Character) -> None:
+@small_kernel
+def _foresee_points(shelf: Shelf, me: Character, one: Positions) -> None:
     """Write heel and toe of both feet at the end of the slot, relative to the root now."""
-    foreseen, one = me.foreseen_points[0], me.foreseen_points[1]
+    foreseen = me.foreseen_points
     foreseen[:] = 0.0
     for seat in range(SEATS + 1):
         weight = me.weights[seat, LEGS]
         if weight <= 0.0 or (seat < SEATS and me.status[seat] < RUNNING):
             continue
         step = (0.0, 0.0, 0.0)
+        frame, fraction = shelf.keys.shape[0] - 1, 0.0
         if seat < SEATS:
+            entry = shelf.entries[me.action[seat]]
             now, then = me.clip_time[seat], max(me.target[seat], me.clip_time[seat])
-            step = travel(shelf, me.action[seat], now, then)
-            frame, fraction, _ = key_at(shelf.entries[me.action[seat]], then)
-            read_points(shelf, frame, fraction, one)
-        else:
-            one[:] = me.seat_points[SEATS]
+            step = travel(shelf.roots, entry, now, then)
+            frame, fraction, _ = key_at(entry, then)
+        read_points(shelf, frame, fraction, one)
         for side in range(2):
             for point in range(2):
                 place = one[side, point]
@@ -97,10 +112,10 @@ def _foresee_points(shelf: Shelf, me: Character) -> None:
                 foreseen[side, point, 2] += weight * z
 
 
-@inner_kernel
+@small_kernel
 def _choose_place(ground: Ground, rig: Rig, me: Character, side: int) -> None:
     """Write how far a foot is led from where it would land, and how high that is."""
-    leg, root, points = rig.leg_length, me.root, me.foreseen_points[0, side]
+    leg, root, points = rig.leg_length, me.root, me.foreseen_points[side]
     heel = transforms.apply(root[0], root[1], root[2], leg * points[0, 0], leg * points[0, 2])
     toe = transforms.apply(root[0], root[1], root[2], leg * points[1, 0], leg * points[1, 2])
     dx, dz = toe[0] - heel[0], toe[1] - heel[1]
@@ -121,7 +136,7 @@ def _choose_place(ground: Ground, rig: Rig, me: Character, side: int) -> None:
         me.landing_time[side] = -1.0
 
 
-@inner_kernel
+@small_kernel
 def _is_on_the_way(me: Character, side: int, toe: tuple[float, float], height: float) -> bool:
     """Return whether the slope under a foot leads to where it lands: then nothing is in its way."""
     place, offset, slope = me.world_points[side, 1], me.foot_offset[side], me.ground_slope[side]
@@ -129,7 +144,7 @@ def _is_on_the_way(me: Character, side: int, toe: tuple[float, float], height: f
     return abs(me.foot_ground[side, 1] + rise - height) < DOWN
 
 
-@inner_kernel
+@small_kernel
 def _nearest_place(
     ground: Ground,
     me: Character,
@@ -155,7 +170,7 @@ def _nearest_place(
     return 0.0
 
 
-@inner_kernel
+@small_kernel
 def _is_even(
     ground: Ground,
     clock: float,

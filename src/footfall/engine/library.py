@@ -8,72 +8,30 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from footfall.actions import GaitCycle, Locomotion
-from footfall.arrays import Floats, SmallFloats
-from footfall.engine.action import Action, check_supports, entries_of
-from footfall.engine.packing import PackedClip, carrying_feet, pack_clip, pack_standing
+from footfall.engine.action import Action, entries_of
+from footfall.engine.library_body import LibraryBody
+from footfall.engine.packing import PackedClip
 from footfall.engine.priorities import parse_priority
 from footfall.engine.shelf import Shelf
-from footfall.errors import ArgumentError, SkeletonError, UnknownNameError
-from footfall.motion import Clip, with_soles
-from footfall.motion.retargeting import map_clip, retarget
-from footfall.skeleton import Anatomy, Skeleton, find_anatomy
-from footfall.skeleton.rig import Rig, rig_of
+from footfall.errors import ArgumentError, UnknownNameError
+from footfall.motion import Clip
+from footfall.skeleton.normalized import by_component
 from footfall.support import SupportSequence
 from footfall.sync.tables import Planner, SequenceTable
 
 __all__ = ["Action", "MotionLibrary"]
 
 
-class MotionLibrary:
+class MotionLibrary(LibraryBody):
     """Actions of one skeleton family, packed for the kernels.
 
     A new clip is appended: it touches no other, and no index ever changes.
     """
 
-    def __init__(self, *, skeleton: Skeleton | None = None, neutral: Clip | None = None) -> None:
-        """Begin an empty library.
-
-        Args:
-            skeleton: The order in which its joints come; by default that of the first clip.
-            neutral: Its first frame is how a character stands that does nothing. By default
-                the mean posture of the first clip that is added, on both feet.
-        """
-        self._neutral = neutral
-        self._actions: list[Action] = []
-        self._skeleton = skeleton
-        self._anatomy: Anatomy | None = None
-        self._standing: SmallFloats | None = None
-        self._resting: Floats | None = None
-
     @property
     def actions(self) -> tuple[Action, ...]:
         """All actions; an action's id is its index."""
         return tuple(self._actions)
-
-    @property
-    def skeleton(self) -> Skeleton:
-        """The body whose joints, in their order, all its motions move.
-
-        Raises:
-            ArgumentError: If no clip has been added yet.
-        """
-        if self._skeleton is None:
-            raise ArgumentError("the library is empty; add a clip first")
-        return self._skeleton
-
-    @property
-    def anatomy(self) -> Anatomy:
-        """What the joints of `skeleton` are, its heels on the soles.
-
-        The first clip tells where those are: a foot is one, in whatever motion.
-        """
-        if self._anatomy is None:
-            self._anatomy = find_anatomy(self.skeleton)
-        return self._anatomy
-
-    def rig(self, skeleton: Skeleton | None = None) -> Rig:
-        """Return a body of this library's family, packed for the kernels."""
-        return rig_of(skeleton or self.skeleton, self.anatomy)
 
     def index(self, name: str) -> int:
         """Return the id of an action.
@@ -178,49 +136,6 @@ class MotionLibrary:
             if not (math.isfinite(seconds) and seconds >= 0.0):
                 raise ArgumentError(f"{label} of {name!r} is {seconds} s; it must be >= 0")
 
-    def _packed(self, label: str, clip: Clip, supports: SupportSequence) -> tuple[Clip, PackedClip]:
-        """Return a clip of this library's family, and the same normalized.
-
-        Args:
-            label: What messages call it.
-            clip: Of any family.
-            supports: What it stands on.
-        """
-        clip = self._in_family(label, clip, supports)
-        check_supports(label, clip, supports)
-        if self._standing is None:
-            self._anatomy = with_soles(self.anatomy, *clip.world_poses())
-        packed = pack_clip(clip, self.anatomy, supports)
-        if self._standing is None:
-            self._stand_like(packed)
-        return clip, packed
-
-    def _in_family(self, label: str, clip: Clip, supports: SupportSequence) -> Clip:
-        """Return a clip on a skeleton of this library's family, its joints in their order."""
-        if self._skeleton is None:
-            self._skeleton = clip.skeleton
-        if self._skeleton.same_family(clip.skeleton):
-            return clip.ordered_like(self._skeleton)
-        shown = self._actions[0].clip if self._actions else self._neutral
-        try:
-            body_map = map_clip(clip, self._skeleton, shown)
-            return retarget(clip, self._skeleton, body_map, carrying_feet(clip, supports))
-        except SkeletonError as error:
-            raise SkeletonError(
-                f"{label} moves another skeleton and cannot be retargeted: {error}"
-            ) from error
-
-    def _stand_like(self, packed: PackedClip) -> None:
-        joints = self.skeleton.count
-        if self._neutral is None:
-            self._standing = pack_standing(packed, joints)
-            self._resting = packed.resting_heights
-            return
-        both = SupportSequence.parse("D")
-        stance = pack_clip(self._neutral.ordered_like(self.skeleton), self.anatomy, both)
-        self._standing = stance.keys[:1]
-        self._resting = stance.resting_heights
-
     def shelf(self, planner: Planner = "footfall") -> Shelf:
         """Return the library as the kernels take it.
 
@@ -230,11 +145,12 @@ class MotionLibrary:
         actions = self._actions
         if not actions or self._standing is None or self._resting is None:
             raise ArgumentError("the library is empty; add a clip first")
-        rig = self.rig()
+        rig, joints = self.rig(), self.skeleton.count
+        keys = np.concatenate([*(action.packed.keys for action in actions), self._standing])
         sequences = [action.supports for action in actions]
         standing_root = np.zeros((1, 3))
         return Shelf(
-            keys=np.concatenate([*(action.packed.keys for action in actions), self._standing]),
+            keys=by_component(keys, joints),
             roots=np.concatenate([*(action.packed.roots for action in actions), standing_root]),
             entries=entries_of(actions),
             resting_heights=np.stack(
@@ -244,5 +160,5 @@ class MotionLibrary:
             phase_starts=np.concatenate([one.boundaries[:-1] for one in sequences]),
             points=rig.foot_points / rig.leg_length,
             use_paper_cubic=planner == "paper",
-            joints=self.skeleton.count,
+            joints=joints,
         )

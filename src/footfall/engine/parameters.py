@@ -21,6 +21,7 @@ from footfall.engine.record import SEATS, Character
 from footfall.engine.shelf import Shelf, key_at, read_points
 from footfall.engine.state import EMPTY, RUNNING
 from footfall.errors import ArgumentError
+from footfall.skeleton.normalized import by_component
 from footfall.support import Support, SupportSequence
 
 __all__ = ["FINEST", "Parameters", "keep_places"]
@@ -156,7 +157,7 @@ def _write_mix(shelf: Shelf, index: int, mix: CycleMix) -> None:
     """Write a mix over the old one of the same action."""
     entry: Any = shelf.entries[index]
     first, count = int(entry["first_frame"]), int(entry["frame_count"])
-    shelf.keys[first : first + count] = mix.keys
+    shelf.keys[first : first + count] = by_component(mix.keys, shelf.joints)
     shelf.roots[first : first + count] = mix.roots
     entry["duration"] = mix.supports.duration
     entry["fps"] = (count - 1) / mix.supports.duration

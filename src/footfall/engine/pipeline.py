@@ -1,7 +1,7 @@
 """One tick of the engine. READ THIS FIRST.
 
-Data flows down this page. A character is a crowd of one: every stage is a kernel on the arrays
-of one row, and a crowd is the same kernels over many rows.
+Data flows down this page. A character is a crowd of one: every stage is a kernel on the record of
+one row, or on a block of eight of them, which for one character is filled by an eighth.
 """
 
 from __future__ import annotations
@@ -12,25 +12,34 @@ from typing import Any
 import numpy.typing as npt
 
 from footfall.adaptation.surfaces import Ground
-from footfall.arrays import Positions, Rotations
-from footfall.compilation import inlined_kernel, kernel
+from footfall.arrays import SmallFloats
+from footfall.compilation import inlined_kernel, lean_kernel, small_kernel
 from footfall.engine.clock import pass_time
 from footfall.engine.feet import locate_feet, stand_where_planted
 from footfall.engine.flight import fly
 from footfall.engine.landing import foresee_landings
-from footfall.engine.placing import place_body, write_world
+from footfall.engine.placing import STEP, aim_body, place_bodies
 from footfall.engine.pose import blend_poses, move_root
-from footfall.engine.record import Character
+from footfall.engine.record import HALF_RATE, Character
 from footfall.engine.shelf import Shelf
 from footfall.engine.state import Workspace
 from footfall.engine.treading import keep_footprints, ride
+from footfall.octet_memory import fetch_ahead
+from footfall.octets import LANES
 from footfall.skeleton.rig import Rig
 from footfall.sync.tables import Rules
 
-__all__ = ["LONGEST_STEP", "advance_rows"]
+__all__ = ["LONGEST_STEP", "advance_blocks"]
 
 LONGEST_STEP = 1.0 / 30.0
 """Longest time between two poses [s]; a longer advance is cut into equal steps."""
+
+
+OFTEN_USED = 3392
+"""Bytes of a record that every frame uses: the fields up to the synchronizer's window."""
+
+LEFT_OUT = -1.0
+"""Stands for the time of a row that is left out."""
 
 
 @inlined_kernel
@@ -42,41 +51,59 @@ def _advance_row(
     work: Workspace,
     rules: Rules,
     dt: float,
+    lane: int,
 ) -> None:
     """Advance one character by `dt` seconds, at most `LONGEST_STEP`."""
     # 1-3. Which phases are played together, how long they last, what time it is in each clip.
     pass_time(shelf, me, work.search, rules, dt)
     # 4. The pose of each clip at that time, and their weighted mean, free of any body.
-    blend_poses(shelf, rig, me, work)
+    blend_poses(shelf, rig, me, work, lane)
     fly(shelf, rig, me, dt)
     # 5. The feet of that mean; where nothing plays they stand where they were planted.
     stand_where_planted(shelf, me)
-    locate_feet(shelf, me, work)
+    locate_feet(shelf, me, work.blended[lane])
     # 6. What carries the feet takes them along; then the way over the ground, so that the heel
     #    or toe that carries stays.
     ride(ground, me, dt)
-    move_root(shelf, rig, me, dt)
+    move_root(rig, me, dt)
     # 7. Where feet will land; the footprints: what was planted is held, what is lifted is let go.
-    foresee_landings(shelf, ground, rig, me)
+    foresee_landings(shelf, ground, rig, me, work.points)
     keep_footprints(ground, rig, me, dt)
-    # 8. This body's lengths; the legs reach for their footprints.
-    place_body(shelf, rig, me, work, dt)
+    # 8. What this body's legs reach for.
+    aim_body(rig, me, work, lane)
     me.fresh = me.placed = False
 
 
-@kernel
-def advance_rows(
+@small_kernel
+def _time_due(me: Character, dt: float) -> float:
+    """Return how much time a row has to advance now [s], or less than 0 if it leaves this out."""
+    if not me.present:
+        return LEFT_OUT
+    if me.detail != HALF_RATE:
+        return dt
+    me.rests = not me.rests
+    me.owed += dt
+    if me.rests:
+        return LEFT_OUT
+    due = me.owed
+    me.owed = 0.0
+    return due
+
+
+@lean_kernel
+def advance_blocks(
     shelf: Shelf,
     ground: Ground,
     rig: Rig,
     characters: npt.NDArray[Any],
     work: Workspace,
     rules: Rules,
-    world_rotations: Rotations,
-    world_positions: Positions,
+    poses: SmallFloats,
     dt: float,
+    first: int,
+    end: int,
 ) -> None:
-    """Advance every character by `dt` seconds, of any length.
+    """Advance blocks of eight characters by `dt` seconds, of any length.
 
     Args:
         shelf: The library.
@@ -85,14 +112,24 @@ def advance_rows(
         characters: Records of `character_type`, shape (rows,).
         work: Memory to work in.
         rules: The rules of the planner.
-        world_rotations: Written: joints in the world, shape (rows, joints, 4).
-        world_positions: Written: joints in the world [m], shape (rows, joints, 3).
+        poses: Written: joints relative to the roots, shape (blocks, joints, 7, 8).
         dt: Time step [s], >= 0.
+        first: The first block.
+        end: The block after the last.
     """
     steps = max(1, math.ceil(dt / LONGEST_STEP - 1e-9))
-    for row in range(characters.shape[0]):
-        me: Character = characters[row]
+    for block in range(first, end):
         for _ in range(steps):
-            _advance_row(shelf, ground, rig, me, work, rules, dt / steps)
-        # 9. Into the world.
-        write_world(shelf, me, work, world_rotations[row], world_positions[row])
+            anybody = False
+            for lane in range(min(LANES, characters.shape[0] - block * LANES)):
+                row = block * LANES + lane
+                fetch_ahead(characters, min(row + 1, characters.shape[0] - 1), OFTEN_USED)
+                me: Character = characters[row]
+                time = _time_due(me, dt / steps)
+                work.aims[STEP, lane] = time
+                if time >= 0.0:
+                    anybody = True
+                    _advance_row(shelf, ground, rig, me, work, rules, time, lane)
+            # 8. Eight bodies at once: their lengths, their legs on their footprints.
+            if anybody:
+                place_bodies(rig, characters, work, poses, block)

@@ -1,61 +1,65 @@
-"""From the blended pose to this body, its legs on their footprints: stages 8 and 9."""
+"""From blended poses to bodies, their legs on their footprints: stages 8 and 9."""
 
 from __future__ import annotations
 
-from footfall.adaptation.footprints import spring
+from typing import Any
+
+import numpy.typing as npt
+
+from footfall.adaptation.footprints import settle
 from footfall.adaptation.pelvis import FALL_SPEED, RISE_SPEED, needed_drop
-from footfall.arrays import Positions, Rotations
+from footfall.arrays import Positions, Rotations, SmallFloats
 from footfall.blending.root import mix_point
-from footfall.compilation import inner_kernel
-from footfall.engine.record import Character
-from footfall.engine.shelf import Shelf
+from footfall.compilation import lean_kernel, small_kernel
+from footfall.engine.record import NO_REACHING, Character
 from footfall.engine.state import Workspace
 from footfall.geometry import quaternions, transforms
-from footfall.skeleton.normalized import place_chain, reach_ankle
+from footfall.octet_memory import load, store, transpose
+from footfall.octets import LANES, exponential, greater, select
+from footfall.skeleton.octet_poses import (
+    PLACEMENT,
+    joint_at,
+    lower_bodies,
+    place_chains,
+    reach_ankles,
+)
 from footfall.skeleton.rig import Rig
 
-__all__ = ["place_body", "write_world"]
+__all__ = ["STEP", "aim_body", "place_bodies", "world_poses_of"]
+
+STEP, HEIGHT, DROP, DROP_SPEED, REACHES, ANKLE, OFFSET = 0, 1, 2, 3, 4, 5, 11
+"""Rows of `Workspace.aims`: the time step [s], less than 0 for a row that is left out; the pelvis'
+height over the root, how far it is lowered and how fast
+that changes [m], [m/s]; whether the legs reach at all; the ankles of the blended pose and how far
+footprints move them, three numbers a foot [m]."""
 
 
-@inner_kernel
-def place_body(shelf: Shelf, rig: Rig, me: Character, work: Workspace, dt: float) -> None:
-    """Give the pose this body's lengths, its feet their footprints (stage 8)."""
-    leg = rig.leg_length
-    place_chain(rig, work.turned, leg * me.effectors[0], work.rotations, work.positions)
+@small_kernel
+def aim_body(rig: Rig, me: Character, work: Workspace, lane: int) -> None:
+    """Say what one body has to reach: its feet on their footprints (stage 8)."""
+    leg, aims = rig.leg_length, work.aims
+    aims[HEIGHT, lane] = leg * me.effectors[0]
+    aims[DROP, lane], aims[DROP_SPEED, lane] = me.pelvis_drop[0], me.pelvis_drop[1]
+    aims[REACHES, lane] = 1.0 if me.synchronized and me.detail != NO_REACHING else 0.0
     if not me.synchronized:
         return
-    needed = 0.0
     for side in range(2):
-        for axis in range(3):
-            me.ankles[side, axis] = leg * me.effectors[1 + 3 * side + axis]
-        x, y, z = _placed_ankle(rig, me, work, side)
-        me.offset[0] = x - me.ankles[side, 0]
-        me.offset[1] = y - me.ankles[side, 1]
-        me.offset[2] = z - me.ankles[side, 2]
-        needed = max(needed, needed_drop(rig, side, me.ankles[side], me.offset, work.positions))
-        me.ankles[side, 0], me.ankles[side, 1], me.ankles[side, 2] = x, y, z
-        me.shown_ankles[side, 0] = x / leg
-        me.shown_ankles[side, 1] = z / leg
-    drop = me.pelvis_drop
-    speed = FALL_SPEED if needed > drop[0] else RISE_SPEED
-    drop[0], drop[1] = spring(drop[0], drop[1], needed, speed, dt)
-    for joint in range(shelf.joints):
-        work.positions[joint, 1] -= drop[0]
-    for side in range(2):
-        reach_ankle(
-            rig,
-            side,
-            work.turned,
-            work.turned[shelf.joints :],
-            me.ankles,
-            work.rotations,
-            work.positions,
+        ankle = (
+            leg * me.effectors[1 + 3 * side],
+            leg * me.effectors[2 + 3 * side],
+            leg * me.effectors[3 + 3 * side],
         )
+        x, y, z = _placed_ankle(rig, me, work.blended[lane], side, ankle)
+        me.shown_ankles[side, 0], me.shown_ankles[side, 1] = x / leg, z / leg
+        placed = (x, y, z)
+        for axis in range(3):
+            aims[ANKLE + 3 * side + axis, lane] = ankle[axis]
+            aims[OFFSET + 3 * side + axis, lane] = placed[axis] - ankle[axis]
 
 
-@inner_kernel
+@small_kernel
 def _placed_ankle(
-    rig: Rig, me: Character, work: Workspace, side: int
+    rig: Rig, me: Character, blended: SmallFloats, side: int, ankle: tuple[float, float, float]
 ) -> tuple[float, float, float]:
     """Tilt a foot about the middle of its sole as the ground is, and put it on its footprint.
 
@@ -64,42 +68,139 @@ def _placed_ankle(
     """
     leg = rig.leg_length
     offset = me.foot_offset[side]
-    x, z = transforms.apply(0.0, 0.0, -me.root[2], offset[0], offset[2])
+    cosine, sine = me.facing[0], -me.facing[1]
+    x, z = transforms.turn(cosine, sine, offset[0], offset[2])
+    if me.tilt[side, 0] == 0.0 and me.tilt[side, 1] == 0.0:
+        return ankle[0] + x, ankle[1] + offset[1], ankle[2] + z
     px = leg * mix_point(me.points, side, 0.5, 0)
     py = leg * mix_point(me.points, side, 0.5, 1)
     pz = leg * mix_point(me.points, side, 0.5, 2)
-    ax, ay, az = me.ankles[side, 0] - px, me.ankles[side, 1] - py, me.ankles[side, 2] - pz
-    slope_x, slope_z = transforms.apply(0.0, 0.0, -me.root[2], me.tilt[side, 0], me.tilt[side, 1])
-    if slope_x != 0.0 or slope_z != 0.0:
-        q = quaternions.between(0.0, 1.0, 0.0, -slope_x, 1.0, -slope_z)
-        ax, ay, az = quaternions.rotate(q[0], q[1], q[2], q[3], ax, ay, az)
-        foot = work.turned[rig.parents.shape[0] + side]
-        foot[0], foot[1], foot[2], foot[3] = quaternions.product(
-            q[0], q[1], q[2], q[3], foot[0], foot[1], foot[2], foot[3]
-        )
+    slope_x, slope_z = transforms.turn(cosine, sine, me.tilt[side, 0], me.tilt[side, 1])
+    q = quaternions.between(0.0, 1.0, 0.0, -slope_x, 1.0, -slope_z)
+    ax, ay, az = quaternions.rotate(
+        q[0], q[1], q[2], q[3], ankle[0] - px, ankle[1] - py, ankle[2] - pz
+    )
+    rows = rig.part_masks.shape[1]
+    foot = rig.parents.shape[0] + side
+    turned = quaternions.product(
+        q[0],
+        q[1],
+        q[2],
+        q[3],
+        float(blended[foot]),
+        float(blended[foot + rows]),
+        float(blended[foot + 2 * rows]),
+        float(blended[foot + 3 * rows]),
+    )
+    for i in range(4):
+        blended[foot + i * rows] = turned[i]
     return px + ax + x, py + ay + offset[1], pz + az + z
 
 
-@inner_kernel
-def write_world(
-    shelf: Shelf,
-    me: Character,
+@small_kernel
+def place_bodies(
+    rig: Rig,
+    characters: npt.NDArray[Any],
     work: Workspace,
+    poses: SmallFloats,
+    block: int,
+) -> None:
+    """Give eight poses their body's lengths, their feet their footprints (stage 8)."""
+    rows = min(LANES, characters.shape[0] - block * LANES)
+    for lane in range(rows):
+        if work.aims[STEP, lane] < 0.0:
+            for joint in range(poses.shape[1]):
+                for i in range(PLACEMENT):
+                    work.kept[lane, joint, i] = poses[block, joint, i, lane]
+    _place_all(rig, work, poses, block)
+    for lane in range(rows):
+        if work.aims[STEP, lane] < 0.0:
+            for joint in range(poses.shape[1]):
+                for i in range(PLACEMENT):
+                    poses[block, joint, i, lane] = work.kept[lane, joint, i]
+        else:
+            me: Character = characters[block * LANES + lane]
+            me.pelvis_drop[0] = work.aims[DROP, lane]
+            me.pelvis_drop[1] = work.aims[DROP_SPEED, lane]
+
+
+@small_kernel
+def _place_all(rig: Rig, work: Workspace, poses: SmallFloats, block: int) -> None:
+    """Place all eight, those that are left out too."""
+    stride = work.blended.shape[1]
+    for row in range(0, stride - LANES, LANES):
+        transpose(work.blended, row, stride, work.local, row * LANES)
+    place_chains(rig, work.local, load(work.aims, HEIGHT * LANES), poses, block)
+    reaches = load(work.aims, REACHES * LANES) > 0.5
+    drop = _lower_pelvis(rig, work.aims, poses, block, reaches)
+    lower_bodies(poses, block, drop)
+    for side in range(2):
+        x, y, z = _aim(work.aims, ANKLE + 3 * side)
+        dx, dy, dz = _aim(work.aims, OFFSET + 3 * side)
+        ankle = (x + dx, y + dy, z + dz)
+        reach_ankles(rig, side, work.local, ankle, reaches, poses, block)
+
+
+@small_kernel
+def _aim(aims: SmallFloats, row: int) -> tuple[float, float, float]:
+    at = row * LANES
+    return load(aims, at), load(aims, at + LANES), load(aims, at + 2 * LANES)
+
+
+@small_kernel
+def _lower_pelvis(
+    rig: Rig, aims: SmallFloats, poses: SmallFloats, block: int, reaches: bool
+) -> float:
+    """Let eight pelvises sink as far as their legs need, and rise again; return how far [m]."""
+    needed = select(reaches, 0.0, 0.0)
+    for side in range(2):
+        _, hip = joint_at(poses, block, rig.limbs[side, 0])
+        ankle, offset = _aim(aims, ANKLE + 3 * side), _aim(aims, OFFSET + 3 * side)
+        needed = greater(needed, needed_drop(rig.leg_length, hip, ankle, offset))
+    drop, speed = load(aims, DROP * LANES), load(aims, DROP_SPEED * LANES)
+    falls = needed > drop
+    stiffness, dt = select(falls, FALL_SPEED, RISE_SPEED), load(aims, STEP * LANES)
+    decay = exponential(-stiffness * dt)
+    new_drop, new_speed = settle(drop, speed, needed, stiffness, dt, decay)
+    store(aims, DROP * LANES, select(reaches, new_drop, drop))
+    store(aims, DROP_SPEED * LANES, select(reaches, new_speed, speed))
+    return select(reaches, new_drop, 0.0)
+
+
+@lean_kernel
+def world_poses_of(
+    characters: npt.NDArray[Any],
+    poses: SmallFloats,
     world_rotations: Rotations,
     world_positions: Positions,
 ) -> None:
-    """Take the body from its root into the world (stage 9)."""
-    root = me.root
-    w, x, y, z = quaternions.from_yaw(root[2])
-    for joint in range(shelf.joints):
-        place = work.positions[joint]
-        out = world_positions[joint]
-        px, py, pz = quaternions.rotate(w, x, y, z, place[0], place[1], place[2])
-        out[0] = root[0] + px
-        out[1] = me.level[0] + py
-        out[2] = root[1] + pz
-        q = work.rotations[joint]
-        turned = world_rotations[joint]
-        turned[0], turned[1], turned[2], turned[3] = quaternions.product(
-            w, x, y, z, q[0], q[1], q[2], q[3]
-        )
+    """Take bodies from their roots into the world (stage 9).
+
+    Args:
+        characters: Records of `character_type`, shape (rows,).
+        poses: Joints relative to the roots, shape (blocks, joints, 7, 8).
+        world_rotations: Written, shape (rows, joints, 4).
+        world_positions: Written [m], shape (rows, joints, 3).
+    """
+    for row in range(characters.shape[0]):
+        me: Character = characters[row]
+        root, block, lane = me.root, row // LANES, row % LANES
+        w, x, y, z = quaternions.from_yaw(root[2])
+        for joint in range(poses.shape[1]):
+            one = poses[block, joint]
+            px, py, pz = quaternions.rotate(
+                w, x, y, z, float(one[4, lane]), float(one[5, lane]), float(one[6, lane])
+            )
+            out = world_positions[row, joint]
+            out[0], out[1], out[2] = root[0] + px, me.level[0] + py, root[1] + pz
+            turned = world_rotations[row, joint]
+            turned[0], turned[1], turned[2], turned[3] = quaternions.product(
+                w,
+                x,
+                y,
+                z,
+                float(one[0, lane]),
+                float(one[1, lane]),
+                float(one[2, lane]),
+                float(one[3, lane]),
+            )

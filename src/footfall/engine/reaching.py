@@ -11,7 +11,7 @@ import numpy.typing as npt
 from footfall.arrays import Positions
 from footfall.engine.hand_record import FREE, HOLDS, REACHES, new_hands
 from footfall.engine.hands import CLOSE, move_hands, palms_of
-from footfall.engine.rows import Rows, check_rows
+from footfall.engine.rows import Rows, check_present
 from footfall.engine.steering import Steering
 from footfall.errors import ArgumentError, SkeletonError
 from footfall.skeleton import Skeleton
@@ -84,14 +84,14 @@ class Reaching(Steering):
             SkeletonError: If the body has no such arm.
         """
         side = self._side(hand)
-        chosen = check_rows(rows, self.size)
+        chosen = check_present(rows, self._characters)
         points = np.broadcast_to(np.asarray(point, dtype=np.float64), (len(chosen), 3))
         if not np.isfinite(points).all():
             raise ArgumentError(f"the point of a reach is {point}; it must be finite")
         if not 0.0 < fade < float("inf"):
             raise ArgumentError(f"the fade of a reach is {fade} s; it must be finite and > 0")
         if self._hands is None:
-            self._hands = new_hands(self.size)
+            self._hands = new_hands(len(self._characters))
             self._palms = palms_of(
                 self.skeleton,
                 self.library.anatomy,
@@ -116,7 +116,7 @@ class Reaching(Steering):
         """
         side = self._side(hand)
         if self._hands is not None:
-            self._hands["task"][check_rows(rows, self.size), side] = FREE
+            self._hands["task"][check_present(rows, self._characters), side] = FREE
 
     def hand(self, hand: Side, row: int = 0) -> HandState:
         """Return what a hand of one character does now.
@@ -124,7 +124,7 @@ class Reaching(Steering):
         Raises:
             ArgumentError: If the hand or the row does not exist.
         """
-        side, row = self._side(hand), int(check_rows([row], self.size)[0])
+        side, row = self._side(hand), int(check_present([row], self._characters)[0])
         if self._hands is None:
             return HandState("free", 0.0, (0.0, 0.0, 0.0), (0.0, 0.0, 0.0), 0.0)
         one = self._hands[row, side]
@@ -146,6 +146,13 @@ class Reaching(Steering):
             move_hands(
                 self._palms, self._characters, self._hands, world_rotations, world_positions, dt
             )
+
+    def _make_hands_room(self, rows: int) -> None:
+        """Let as many characters have hands; those of the new ones are free."""
+        if self._hands is not None:
+            hands = new_hands(rows)
+            hands[: len(self._hands)] = self._hands
+            self._hands = hands
 
     def _side(self, hand: Side) -> int:
         if hand not in SIDES:

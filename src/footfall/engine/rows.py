@@ -11,7 +11,7 @@ import numpy.typing as npt
 from footfall.arrays import Indices
 from footfall.errors import ArgumentError
 
-__all__ = ["Rows", "check_rows", "place_characters"]
+__all__ = ["Rows", "check_present", "check_rows", "place_characters"]
 
 Rows = Sequence[int] | npt.NDArray[Any] | None
 """Row numbers, a mask, or None for all."""
@@ -38,6 +38,21 @@ def check_rows(rows: Rows, size: int) -> Indices:
             f"rows {chosen.min()}..{chosen.max()}; this crowd has rows 0..{size - 1}"
         )
     return chosen.astype(np.int64)
+
+
+def check_present(rows: Rows, characters: npt.NDArray[Any]) -> Indices:
+    """Return the numbers of some rows of a crowd in which there is somebody; None means all those.
+
+    Raises:
+        ArgumentError: As `check_rows`, or if somebody has been removed.
+    """
+    if rows is None:
+        return np.flatnonzero(characters["present"])
+    chosen = check_rows(rows, len(characters))
+    gone = chosen[characters["present"][chosen] == 0]
+    if len(gone):
+        raise ArgumentError(f"nobody is in row {gone[0]}; whoever was has been removed")
+    return chosen
 
 
 def place_characters(

@@ -8,9 +8,11 @@ from typing import NamedTuple, Protocol
 import numpy as np
 
 from footfall.arrays import Floats, Positions, Seconds, SmallFloats
-from footfall.compilation import inner_kernel
+from footfall.compilation import small_kernel
 from footfall.geometry import quaternions, transforms
+from footfall.octets import LANES
 from footfall.skeleton import BodyPart
+from footfall.skeleton.normalized import ANKLES
 from footfall.sync.tables import SequenceTable
 
 __all__ = [
@@ -96,7 +98,8 @@ class Shelf(NamedTuple):
     """All actions, packed for the kernels."""
 
     keys: SmallFloats
-    """Normalized poses of all clips, one after the other, then the neutral one, (frames, ...)."""
+    """Normalized poses of all clips by component, one after the other, then the neutral one, shape
+    (frames, 4 rows + 8)."""
 
     roots: Floats
     """The root of each of them: x, z in leg lengths, heading [rad], shape (frames, 3)."""
@@ -125,7 +128,7 @@ class Shelf(NamedTuple):
     """How many joints a pose has."""
 
 
-@inner_kernel
+@small_kernel
 def phase_start(entry: Entry, phase_starts: Seconds, phase: int) -> float:
     """Return the clip time [s] at which a phase of an action begins, cycles counted on."""
     if not entry.cyclic:
@@ -137,13 +140,13 @@ def phase_start(entry: Entry, phase_starts: Seconds, phase: int) -> float:
     return cycles * entry.duration + phase_starts[entry.phase_first + within]
 
 
-@inner_kernel
+@small_kernel
 def phase_end(entry: Entry, phase_starts: Seconds, phase: int) -> float:
     """Return the clip time [s] at which a phase of an action ends, cycles counted on."""
     return phase_start(entry, phase_starts, phase + 1)
 
 
-@inner_kernel
+@small_kernel
 def key_at(entry: Entry, clip_time: float) -> tuple[int, float, int]:
     """Return the frame before a clip time, how far the next one is [0, 1), and the cycle."""
     cycle = 0
@@ -160,7 +163,7 @@ def key_at(entry: Entry, clip_time: float) -> tuple[int, float, int]:
     return entry.first_frame + frame, fraction, cycle
 
 
-@inner_kernel
+@small_kernel
 def _root_at(roots: Floats, frame: int, fraction: float) -> tuple[float, float, float]:
     after = frame + 1 if fraction > 0.0 else frame
     one, other = roots[frame], roots[after]
@@ -171,26 +174,25 @@ def _root_at(roots: Floats, frame: int, fraction: float) -> tuple[float, float, 
     )
 
 
-@inner_kernel
-def travel(shelf: Shelf, action: int, before: float, after: float) -> tuple[float, float, float]:
+@small_kernel
+def travel(roots: Floats, entry: Entry, before: float, after: float) -> tuple[float, float, float]:
     """Return where the root of a clip is at one time as seen from where it was at another.
 
     Args:
-        shelf: The library.
-        action: Which clip.
+        roots: The root in every frame of the library, `Shelf.roots`.
+        entry: Which clip.
         before: Clip time [s], past the end too.
         after: Clip time [s], not before `before`.
 
     Returns:
         x and z in leg lengths, and heading [rad].
     """
-    entry = shelf.entries[action]
     frame, fraction, cycle = key_at(entry, before)
-    x, z, heading = _root_at(shelf.roots, frame, fraction)
+    x, z, heading = _root_at(roots, frame, fraction)
     next_frame, next_fraction, next_cycle = key_at(entry, after)
-    next_x, next_z, next_heading = _root_at(shelf.roots, next_frame, next_fraction)
-    first = shelf.roots[entry.first_frame]
-    last = shelf.roots[entry.first_frame + entry.frame_count - 1]
+    next_x, next_z, next_heading = _root_at(roots, next_frame, next_fraction)
+    first = roots[entry.first_frame]
+    last = roots[entry.first_frame + entry.frame_count - 1]
     for _ in range(next_cycle - cycle):
         next_x, next_z, next_heading = transforms.relative(
             first[0], first[1], first[2], next_x, next_z, next_heading
@@ -201,37 +203,39 @@ def travel(shelf: Shelf, action: int, before: float, after: float) -> tuple[floa
     return transforms.relative(x, z, heading, next_x, next_z, next_heading)
 
 
-@inner_kernel
+@small_kernel
 def read_points(shelf: Shelf, frame: int, fraction: float, out: Positions) -> None:
     """Write heel and toe of each foot, relative to the root, in leg lengths, (2, 2, 3)."""
     keys = shelf.keys
     after = frame + 1 if fraction > 0.0 else frame
+    rows = (keys.shape[1] - LANES) // 4
     for side in range(2):
-        turn = 4 * (shelf.joints + side)
-        place = 4 * shelf.joints + 9 + 3 * side
-        w, x, y, z = quaternions.nlerp(
-            keys[frame, turn],
-            keys[frame, turn + 1],
-            keys[frame, turn + 2],
-            keys[frame, turn + 3],
-            keys[after, turn],
-            keys[after, turn + 1],
-            keys[after, turn + 2],
-            keys[after, turn + 3],
-            fraction,
+        foot = shelf.joints + side
+        place = 4 * rows + ANKLES + 3 * side
+        w, x, y, z = quaternions.normalize(
+            _key_between(keys, frame, after, fraction, foot),
+            _key_between(keys, frame, after, fraction, foot + rows),
+            _key_between(keys, frame, after, fraction, foot + 2 * rows),
+            _key_between(keys, frame, after, fraction, foot + 3 * rows),
         )
+        ankle_x = _key_between(keys, frame, after, fraction, place)
+        ankle_y = _key_between(keys, frame, after, fraction, place + 1)
+        ankle_z = _key_between(keys, frame, after, fraction, place + 2)
         for point in range(2):
             offset = shelf.points[side, point]
             px, py, pz = quaternions.rotate(w, x, y, z, offset[0], offset[1], offset[2])
-            out[side, point, 0] = px
-            out[side, point, 1] = py
-            out[side, point, 2] = pz
-            for i in range(3):
-                one = keys[frame, place + i]
-                out[side, point, i] += one + fraction * (keys[after, place + i] - one)
+            out[side, point, 0] = ankle_x + px
+            out[side, point, 1] = ankle_y + py
+            out[side, point, 2] = ankle_z + pz
 
 
-@inner_kernel
+@small_kernel
+def _key_between(keys: SmallFloats, frame: int, after: int, fraction: float, column: int) -> float:
+    one = float(keys[frame, column])
+    return one + fraction * (float(keys[after, column]) - one)
+
+
+@small_kernel
 def support_at(shelf: Shelf, action: int, clip_time: float) -> int:
     """Return the support of a clip by itself at a clip time [s], past the end too."""
     entry = shelf.entries[action]

@@ -8,7 +8,7 @@ import numpy.typing as npt
 
 from footfall.adaptation import AnyGround, Plane, pack_ground
 from footfall.adaptation.surfaces import Ground
-from footfall.engine.rows import Rows, check_rows, place_characters
+from footfall.engine.rows import Rows, check_present, place_characters
 
 __all__ = ["Standing"]
 
@@ -16,7 +16,6 @@ __all__ = ["Standing"]
 class Standing:
     """The part of a crowd that knows its ground and its places."""
 
-    size: int
     _characters: npt.NDArray[Any]
     _ground: AnyGround
     _packed_ground: Ground = pack_ground(Plane())
@@ -68,7 +67,8 @@ class Standing:
         Raises:
             ArgumentError: If a row does not exist or a number is not finite.
         """
-        place_characters(self._characters, check_rows(rows, self.size), position, heading)
+        rows = check_present(rows, self._characters)
+        place_characters(self._characters, rows, position, heading)
 
 
 def _kinds(ground: Ground) -> list[int]:

@@ -7,14 +7,20 @@ from typing import Annotated, Any, NamedTuple, get_args, get_origin, get_type_hi
 import numpy as np
 import numpy.typing as npt
 
-from footfall.arrays import Positions, Rotations
+from footfall.arrays import Positions, Rotations, SmallFloats
+from footfall.blending import Layers
 from footfall.compilation import records
 from footfall.engine.record import COLUMNS, SEATS, Character
+from footfall.octets import LANES
+from footfall.skeleton import BodyPart
+from footfall.skeleton.normalized import padded_count
+from footfall.skeleton.octet_poses import PLACEMENT
 from footfall.support import Support
 from footfall.sync.search_memory import new_search_memory
 from footfall.sync.tables import ABSENT
 
 __all__ = [
+    "AIMS",
     "EMPTY",
     "GIVES_UP",
     "LEAVING",
@@ -36,20 +42,33 @@ GIVES_UP, STARTS_MUTED = 0, 1
 """What `Character.late` says of a seat."""
 
 
+AIMS = 17
+"""Rows of `Workspace.aims`."""
+
+
 class Workspace(NamedTuple):
     """Memory to work in; one a thread."""
 
     search: npt.NDArray[Any]
     """That of the planner: one `footfall.sync.search_memory.SearchMemory`."""
 
-    turned: Rotations
-    """Blended rotations, joints then feet, shape (joints + 2, 4)."""
+    kept: SmallFloats
+    """Poses that are shown once more, shape (8, joints, 7)."""
 
-    rotations: Rotations
-    """Joints relative to the root, shape (joints, 4)."""
+    points: Positions
+    """Heel and toe of each foot of one motion, in leg lengths, shape (2, 2, 3)."""
 
-    positions: Positions
-    """Joints relative to the root [m], shape (joints, 3)."""
+    layers: Layers
+    """What is mixed into the pose of one character."""
+
+    blended: SmallFloats
+    """Blended poses of eight characters, by component, shape (8, 4 rows + 8)."""
+
+    local: SmallFloats
+    """Their rotations, the eight side by side, shape (4, rows, 8)."""
+
+    aims: SmallFloats
+    """What their bodies have to reach, shape (aims, 8): see `footfall.engine.placing`."""
 
 
 class Frame(NamedTuple):
@@ -94,6 +113,7 @@ def new_characters(rows: int, lookahead: int) -> npt.NDArray[Any]:
     characters = records(np.zeros(rows, dtype=character_type(lookahead)))
     characters["synchronized"] = 1
     characters["printed"] = 1
+    characters["present"] = 1
     characters["fresh"] = 1
     characters["placed"] = 1
     characters["weights"][:, SEATS] = 1.0
@@ -106,6 +126,18 @@ def new_characters(rows: int, lookahead: int) -> npt.NDArray[Any]:
 
 def new_workspace(joints: int) -> Workspace:
     """Return the memory in which one thread works."""
+    rows, layers = padded_count(joints), SEATS + 1
     return Workspace(
-        new_search_memory(), np.zeros((joints + 2, 4)), np.zeros((joints, 4)), np.zeros((joints, 3))
+        new_search_memory(),
+        np.zeros((LANES, joints, PLACEMENT), dtype=np.float32),
+        np.zeros((2, 2, 3)),
+        Layers(
+            np.zeros(layers, dtype=np.int64),
+            np.zeros(layers, dtype=np.int64),
+            np.zeros(layers, dtype=np.float32),
+            np.zeros((layers, len(BodyPart)), dtype=np.float32),
+        ),
+        np.zeros((LANES, 4 * rows + LANES), dtype=np.float32),
+        np.zeros((4, rows, LANES), dtype=np.float32),
+        np.zeros((AIMS, LANES), dtype=np.float32),
     )

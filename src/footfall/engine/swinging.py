@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from footfall.adaptation.footprints import LIFT_SPEED
 from footfall.adaptation.surfaces import Ground, probe
-from footfall.compilation import inner_kernel
+from footfall.compilation import small_kernel
 from footfall.engine.landing import STEEPEST
 from footfall.engine.record import Character
 
@@ -23,7 +23,7 @@ UNHURRIED = 6.0
 """A spring of this many over the time that is left [1] has come to its goal by then."""
 
 
-@inner_kernel
+@small_kernel
 def rise_below(me: Character, side: int, dt: float) -> float:
     """Return how far the ground has risen under a swinging foot in this step [m], edges apart."""
     below = 0.5 * (me.foot_ground[side, 0] + me.foot_ground[side, 1])
@@ -33,12 +33,14 @@ def rise_below(me: Character, side: int, dt: float) -> float:
     return rise if rise * rise <= STEEPEST * STEEPEST * (vx * vx + vz * vz) * dt * dt else 0.0
 
 
-@inner_kernel
+@small_kernel
 def _highest_ahead(ground: Ground, me: Character, side: int) -> float:
     """Return how high the ground is under a swinging foot, edges ahead of it included [m].
 
     An even slope is no obstacle: what counts is by how much it rises beyond that.
     """
+    if ground.even:
+        return me.ground_below[side]
     offset, slope = me.foot_offset[side], me.ground_slope[side]
     below, toe = me.ground_below[side], me.world_points[side, 1]
     highest = 0.0
@@ -54,7 +56,7 @@ def _highest_ahead(ground: Ground, me: Character, side: int) -> float:
     return below + highest
 
 
-@inner_kernel
+@small_kernel
 def swing_goal(
     ground: Ground, me: Character, side: int
 ) -> tuple[tuple[float, float, float], float]:

@@ -13,8 +13,8 @@ from footfall.adaptation.footprints import (
 )
 from footfall.adaptation.surfaces import Ground, carry, probe
 from footfall.blending.root import mix_point
-from footfall.compilation import inner_kernel
-from footfall.engine.feet import carries
+from footfall.compilation import small_kernel
+from footfall.engine.feet import carries, stand_level
 from footfall.engine.record import Character
 from footfall.engine.swinging import rise_below, swing_goal
 from footfall.geometry import quaternions, transforms
@@ -38,9 +38,11 @@ TILT_HEIGHT = 0.08
 """Height over the ground from which a swinging foot is not tilted [m]."""
 
 
-@inner_kernel
+@small_kernel
 def ride(ground: Ground, me: Character, dt: float) -> None:
     """Go with the surfaces that carry the feet, before the root makes its own way."""
+    if ground.even:
+        return
     x, y, z, turn, feet = 0.0, 0.0, 0.0, 0.0, 0
     for side in range(2):
         if carries(me.support, side) and not me.placed:
@@ -55,7 +57,7 @@ def ride(ground: Ground, me: Character, dt: float) -> None:
         _raise_level(me, y / feet)
 
 
-@inner_kernel
+@small_kernel
 def _raise_level(me: Character, rise: float) -> None:
     """Move the root's level; the feet stay where they are in the world."""
     me.level[0] += rise
@@ -63,7 +65,7 @@ def _raise_level(me: Character, rise: float) -> None:
         me.foot_offset[side, 1] -= rise
 
 
-@inner_kernel
+@small_kernel
 def keep_footprints(ground: Ground, rig: Rig, me: Character, dt: float) -> None:
     """Hold the carrying feet where they are, let go of the others (stage 7)."""
     for side in range(2):
@@ -87,7 +89,7 @@ def keep_footprints(ground: Ground, rig: Rig, me: Character, dt: float) -> None:
     _follow_ground(me, dt)
 
 
-@inner_kernel
+@small_kernel
 def _move_points(rig: Rig, me: Character, side: int, dt: float) -> tuple[float, float]:
     """Find heel and toe in the world; return how far that moved the carrying point [m]."""
     share = me.toe_shares[side]
@@ -104,10 +106,13 @@ def _move_points(rig: Rig, me: Character, side: int, dt: float) -> tuple[float, 
     )
 
 
-@inner_kernel
+@small_kernel
 def _tilt_points(rig: Rig, me: Character, side: int) -> None:
     """Write heel and toe in the world, the sole tilted about its middle as the ground is."""
     root, leg, points = me.root, rig.leg_length, me.points[side]
+    if me.foot_slope[side, 0] == 0.0 and me.foot_slope[side, 1] == 0.0:
+        stand_level(rig, me, side)
+        return
     me.tilt[side, 0], me.tilt[side, 1] = me.foot_slope[side, 0], me.foot_slope[side, 1]
     w, qx, qy, qz = quaternions.between(0.0, 1.0, 0.0, -me.tilt[side, 0], 1.0, -me.tilt[side, 1])
     for point in range(2):
@@ -135,10 +140,10 @@ def _tilt_points(rig: Rig, me: Character, side: int) -> None:
         me.tilt_rise[side, point] = ty - y
 
 
-@inner_kernel
+@small_kernel
 def _taken(ground: Ground, me: Character, side: int, dt: float) -> tuple[float, float, float]:
     """Return how far the surface under a carrying foot has taken it in this step [m]."""
-    if me.placed:
+    if me.placed or ground.even:
         return 0.0, 0.0, 0.0
     share, offset = me.toe_shares[side], me.foot_offset[side]
     x = mix_point(me.world_points, side, share, 0) + offset[0]
@@ -150,7 +155,7 @@ def _taken(ground: Ground, me: Character, side: int, dt: float) -> tuple[float, 
     return dx, dy, dz
 
 
-@inner_kernel
+@small_kernel
 def _feel(ground: Ground, rig: Rig, me: Character, side: int, planted: bool, dt: float) -> None:
     """Find the ground under heel and toe, and tilt the sole towards its slope."""
     offset = me.foot_offset[side]
@@ -180,7 +185,7 @@ def _feel(ground: Ground, rig: Rig, me: Character, side: int, planted: bool, dt:
     me.foot_slope[side, 1] = approach(me.foot_slope[side, 1], goal_z, TILT_TIME, dt)
 
 
-@inner_kernel
+@small_kernel
 def _needed_height(rig: Rig, me: Character, side: int) -> float:
     """Return how far a foot must be raised for its lowest point to touch the ground [m]."""
     needed = 0.0
@@ -191,7 +196,7 @@ def _needed_height(rig: Rig, me: Character, side: int) -> float:
     return needed
 
 
-@inner_kernel
+@small_kernel
 def _grip(me: Character, side: int) -> float:
     """Return how firmly a carrying foot is held: less where its span begins or ends."""
     grip = min(1.0, me.planted_time[side] / GRIP_TIME)
@@ -201,7 +206,7 @@ def _grip(me: Character, side: int) -> float:
     return max(grip, 0.0)
 
 
-@inner_kernel
+@small_kernel
 def _ground_of(me: Character, side: int) -> float:
     """Return how high the ground is under a foot, or where it is going to land [m]."""
     if me.landing_time[side] >= 0.0:
@@ -209,7 +214,7 @@ def _ground_of(me: Character, side: int) -> float:
     return 0.5 * (me.foot_ground[side, 0] + me.foot_ground[side, 1])
 
 
-@inner_kernel
+@small_kernel
 def _follow_ground(me: Character, dt: float) -> None:
     """Let the root's level follow the ground under both feet, nearer to the lower one.
 

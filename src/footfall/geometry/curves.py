@@ -11,7 +11,7 @@ a segment of no length is a step.
 
 from __future__ import annotations
 
-from footfall.compilation import kernel
+from footfall.compilation import kernel, small_kernel
 
 __all__ = ["cubic_hermite", "rational_hermite"]
 
@@ -38,7 +38,7 @@ def cubic_hermite(
     return (value, v0 + s * (2.0 * bend + 3.0 * s * twist))
 
 
-@kernel
+@small_kernel
 def rational_hermite(
     t: float, t0: float, h0: float, v0: float, t1: float, h1: float, v1: float
 ) -> tuple[float, float]:

@@ -1,14 +1,17 @@
 """Quaternions (wxyz), component by component: one source for scalars in kernels and for arrays.
 
-Each function takes and returns components, uses only arithmetic, and therefore means the same
-on four numbers inside a kernel and on four arrays outside (`rotations` wraps it for arrays).
+Each function takes and returns components. `product` and `rotate` use only arithmetic and
+therefore mean the same on four numbers inside a kernel and on four arrays outside (`rotations`
+wraps them for arrays); `normalize` and `between` do without branches and, like those, also serve
+eight characters at once (`footfall.octets`).
 """
 
 from __future__ import annotations
 
 import math
 
-from footfall.compilation import kernel
+from footfall.compilation import kernel, small_kernel
+from footfall.octets import select, square_root
 
 __all__ = [
     "between",
@@ -23,7 +26,7 @@ __all__ = [
 ]
 
 
-@kernel
+@small_kernel
 def product(
     aw: float, ax: float, ay: float, az: float, bw: float, bx: float, by: float, bz: float
 ) -> tuple[float, float, float, float]:
@@ -36,7 +39,7 @@ def product(
     )
 
 
-@kernel
+@small_kernel
 def quotient(
     aw: float, ax: float, ay: float, az: float, bw: float, bx: float, by: float, bz: float
 ) -> tuple[float, float, float, float]:
@@ -49,7 +52,7 @@ def quotient(
     )
 
 
-@kernel
+@small_kernel
 def rotate(
     qw: float, qx: float, qy: float, qz: float, x: float, y: float, z: float
 ) -> tuple[float, float, float]:
@@ -64,7 +67,7 @@ def rotate(
     )
 
 
-@kernel
+@small_kernel
 def conjugate_rotate(
     qw: float, qx: float, qy: float, qz: float, x: float, y: float, z: float
 ) -> tuple[float, float, float]:
@@ -72,14 +75,13 @@ def conjugate_rotate(
     return rotate(qw, -qx, -qy, -qz, x, y, z)
 
 
-@kernel
+@small_kernel
 def normalize(qw: float, qx: float, qy: float, qz: float) -> tuple[float, float, float, float]:
     """Return q scaled to unit length; the identity where q is zero."""
-    length = math.sqrt(qw * qw + qx * qx + qy * qy + qz * qz)
-    if length == 0.0:
-        return (1.0, 0.0, 0.0, 0.0)
-    scale = 1.0 / length
-    return (qw * scale, qx * scale, qy * scale, qz * scale)
+    length = square_root(qw * qw + qx * qx + qy * qy + qz * qz)
+    empty = length <= 0.0
+    scale = 1.0 / select(empty, 1.0, length)
+    return (select(empty, 1.0, qw * scale), qx * scale, qy * scale, qz * scale)
 
 
 @kernel
@@ -102,7 +104,7 @@ def nlerp(
     )
 
 
-@kernel
+@small_kernel
 def between(
     ax: float, ay: float, az: float, bx: float, by: float, bz: float
 ) -> tuple[float, float, float, float]:
@@ -111,24 +113,23 @@ def between(
     The identity where either vector is zero; half a turn about some axis across a where they
     are opposed.
     """
-    scale = math.sqrt((ax * ax + ay * ay + az * az) * (bx * bx + by * by + bz * bz))
-    if scale == 0.0:
-        return (1.0, 0.0, 0.0, 0.0)
+    scale = square_root((ax * ax + ay * ay + az * az) * (bx * bx + by * by + bz * bz))
     w = scale + ax * bx + ay * by + az * bz
-    if w < 1e-14 * scale:
-        if abs(ax) < abs(ay):
-            return normalize(0.0, 0.0, -az, ay)
-        return normalize(0.0, az, 0.0, -ax)
-    return normalize(w, ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx)
+    opposed = w < 1e-14 * scale
+    steep = ax * ax < ay * ay
+    x = select(opposed, select(steep, 0.0, az), ay * bz - az * by)
+    y = select(opposed, select(steep, -az, 0.0), az * bx - ax * bz)
+    z = select(opposed, select(steep, ay, -ax), ax * by - ay * bx)
+    return normalize(select(opposed, 0.0, w), x, y, z)
 
 
-@kernel
+@small_kernel
 def from_yaw(yaw: float) -> tuple[float, float, float, float]:
     """Return the rotation by an angle [rad] about the vertical, +y; positive turns z to x."""
     return (math.cos(0.5 * yaw), 0.0, math.sin(0.5 * yaw), 0.0)
 
 
-@kernel
+@small_kernel
 def yaw_of(qw: float, qy: float) -> float:
     """Return the angle [rad] of the twist about the vertical of a rotation with these w and y."""
     return 2.0 * math.atan2(qy, qw)

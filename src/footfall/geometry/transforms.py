@@ -8,12 +8,12 @@ from __future__ import annotations
 
 import numpy as np
 
-from footfall.compilation import kernel
+from footfall.compilation import small_kernel
 
-__all__ = ["apply", "compose", "inverse", "relative"]
+__all__ = ["apply", "compose", "inverse", "relative", "turn"]
 
 
-@kernel
+@small_kernel
 def apply(
     frame_x: float, frame_z: float, heading: float, x: float, z: float
 ) -> tuple[float, float]:
@@ -30,7 +30,13 @@ def apply(
     return (frame_x + cosine * x + sine * z, frame_z - sine * x + cosine * z)
 
 
-@kernel
+@small_kernel
+def turn(cosine: float, sine: float, x: float, z: float) -> tuple[float, float]:
+    """Return a direction (x, z) of a frame with this heading as seen from outside."""
+    return (cosine * x + sine * z, cosine * z - sine * x)
+
+
+@small_kernel
 def compose(
     ax: float, az: float, a_heading: float, bx: float, bz: float, b_heading: float
 ) -> tuple[float, float, float]:
@@ -39,14 +45,14 @@ def compose(
     return (x, z, a_heading + b_heading)
 
 
-@kernel
+@small_kernel
 def inverse(x: float, z: float, heading: float) -> tuple[float, float, float]:
     """Return a⁻¹: where the outside stands as seen from the frame."""
     cosine, sine = np.cos(heading), np.sin(heading)
     return (sine * z - cosine * x, -sine * x - cosine * z, -heading)
 
 
-@kernel
+@small_kernel
 def relative(
     ax: float, az: float, a_heading: float, bx: float, bz: float, b_heading: float
 ) -> tuple[float, float, float]:

@@ -7,6 +7,7 @@ import subprocess
 import sys
 import tempfile
 import threading
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -17,6 +18,10 @@ SERVER = Path(__file__).with_name("guarded_server.py")
 MOST_FILES, MOST_MEMORY = 200, 16_000_000_000
 """How many files, and allowing how much memory [bytes], a child reads before it is worn: libraries
 do not give all memory back."""
+
+START_SECONDS = 20.0
+"""When a child that is not ready is ended: Python and a library start in 0.2 s, on a busy machine
+in several [s]."""
 
 
 class ChildEndedError(Exception):
@@ -42,7 +47,7 @@ class Question:
     """How much it may allocate [bytes]."""
 
     seconds: float
-    """When it is ended [s]."""
+    """When it is ended, from when it was ready [s]."""
 
     def to_bytes(self) -> bytes:
         """Return what is sent."""
@@ -59,6 +64,7 @@ class GuardedChild:
 
     def __init__(self, script: Path) -> None:
         self.files = self.memory = 0
+        self._ready = False
         self._errors = tempfile.TemporaryFile()  # noqa: SIM115
         # -P: the script's own folder must not hide a library by a module of the same name.
         self._process = subprocess.Popen(
@@ -81,22 +87,38 @@ class GuardedChild:
         """
         self.files += 1
         self.memory += question.memory
+        if not self._ready:
+            late = (
+                f"cannot be read: its parser did not start within {START_SECONDS:.0f} s; try "
+                "again when the machine is less busy"
+            )
+            self._within(START_SECONDS, self._started, late)
+            self._ready = True
+        return self._within(
+            question.seconds,
+            lambda: self._answer(question),
+            f"was still being read after {question.seconds:.0f} s, and was given up; it is "
+            "damaged, or far too large",
+        )
+
+    def _within(self, seconds: float, step: Callable[[], bytes | None], late: str) -> bytes:
+        """Return what a step returns; end the child where it takes longer.
+
+        Raises:
+            ChildEndedError: If the child ended; `late` is told where it was ended.
+        """
         overdue = threading.Event()
-        clock = threading.Timer(question.seconds, self._end, (overdue,))
+        clock = threading.Timer(seconds, self._end, (overdue,))
         clock.start()
         try:
-            answer = self._answer(question)
+            answer = step()
         finally:
             clock.cancel()
         if answer is not None:
             return answer
         code = self._process.wait()
         if overdue.is_set():
-            raise ChildEndedError(
-                f"was still being read after {question.seconds:.0f} s, and was given up; it is "
-                "damaged, or far too large",
-                crashed=False,
-            )
+            raise ChildEndedError(late, crashed=False)
         self._errors.seek(0)
         last = self._errors.read().decode(errors="replace").strip().splitlines()[-1:]
         told = f": {last[0][:160]}" if last else ""
@@ -109,6 +131,11 @@ class GuardedChild:
     def _end(self, overdue: threading.Event) -> None:
         overdue.set()
         self._process.kill()
+
+    def _started(self) -> bytes | None:
+        """Wait until it can be asked; return None where it ended before."""
+        assert self._process.stdout is not None
+        return self._process.stdout.read(1) or None
 
     def _answer(self, question: Question) -> bytes | None:
         """Send a question; return the answer, None where the child ended before it was whole."""

@@ -24,11 +24,8 @@ from footfall.io.guarded_child import ChildEndedError, GuardedChild, Question
 
 __all__ = ["keep_children", "kept_children", "memory_allowed", "read_guarded", "time_allowed"]
 
-START_SECONDS = 20.0
-"""For Python and the library to start, on a busy machine [s]."""
-
-SECONDS_PER_MEGABYTE = 2.0
-"""What reading may take beyond that [s]."""
+LEAST_SECONDS, SECONDS_PER_MEGABYTE = 2.0, 2.0
+"""What reading may take: so much, and so much per megabyte of the file [s]."""
 
 LEAST_MEMORY, MEMORY_PER_BYTE = 48_000_000, 16
 """What reading may allocate: so much, and so much per byte of the file [bytes]."""
@@ -36,7 +33,7 @@ LEAST_MEMORY, MEMORY_PER_BYTE = 48_000_000, 16
 
 def time_allowed(size: int) -> float:
     """Return how long reading a file of so many bytes may take [s]."""
-    return START_SECONDS + SECONDS_PER_MEGABYTE * size / 1e6
+    return LEAST_SECONDS + SECONDS_PER_MEGABYTE * size / 1e6
 
 
 def memory_allowed(size: int) -> int:
@@ -86,7 +83,8 @@ def read_guarded(
         data: The content it is given.
         path: The file, for messages.
         size: The file's [bytes]: from it follows how much memory reading it may take.
-        seconds: When it is ended [s]; by its size where not given.
+        seconds: When it is ended, from when its library is loaded [s]; by its size where not
+            given.
 
     Returns:
         Facts by name, and arrays by name.

@@ -7,7 +7,8 @@ imports nothing of the project, which would take longer than most files. A child
 - ``UnreadableError``: what it raises where a file cannot be read;
 - ``read_file(words, data, allowed)``: returns facts by name, and arrays by name.
 
-A question is a line of JSON (``words``, ``size`` of the data and the memory ``allowed``, in bytes)
+Once the library is loaded it says so by one byte: from then on the time of reading runs. A
+question is a line of JSON (``words``, ``size`` of the data and the memory ``allowed``, in bytes)
 and the data; an answer is its size as eight bytes, the lowest first, and an ``.npz`` of the arrays
 and of ``header``, the facts as JSON. Where the file cannot be read, its only fact is ``error``.
 """
@@ -27,6 +28,9 @@ import numpy as np
 
 __all__ = ["main"]
 
+READY = b"\x06"
+"""What is said once questions can be answered: ASCII's acknowledgement."""
+
 
 def main() -> None:
     """Answer until the questions end."""
@@ -39,6 +43,8 @@ def main() -> None:
     # What a library prints must not come between the answers.
     answers = os.fdopen(os.dup(1), "wb")
     os.dup2(os.open(os.devnull, os.O_WRONLY), 1)
+    answers.write(READY)
+    answers.flush()
     while line := sys.stdin.buffer.readline():
         question = json.loads(line)
         packed = _answer(child, question, sys.stdin.buffer.read(question["size"]))

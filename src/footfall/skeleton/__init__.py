@@ -1,6 +1,15 @@
 """A body at rest and in a pose."""
 
-from footfall.skeleton.anatomy import Anatomy, Arm, BodyPart, FootPoint, Leg, arm_length, leg_length
+from footfall.skeleton.anatomy import (
+    Anatomy,
+    Arm,
+    BodyPart,
+    FootPoint,
+    Leg,
+    arm_length,
+    leg_length,
+    resized,
+)
 from footfall.skeleton.anatomy_search import find_anatomy
 from footfall.skeleton.heading import pelvis_headings
 from footfall.skeleton.kinematics import forward_kinematics, pose_forward, world_poses
@@ -19,5 +28,6 @@ __all__ = [
     "leg_length",
     "pelvis_headings",
     "pose_forward",
+    "resized",
     "world_poses",
 ]

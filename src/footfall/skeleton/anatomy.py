@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import IntEnum
 
 from footfall.arrays import Indices
 from footfall.skeleton.skeleton import Skeleton
 
-__all__ = ["Anatomy", "Arm", "BodyPart", "FootPoint", "Leg", "arm_length", "leg_length"]
+__all__ = ["Anatomy", "Arm", "BodyPart", "FootPoint", "Leg", "arm_length", "leg_length", "resized"]
 
 
 class BodyPart(IntEnum):
@@ -104,6 +104,21 @@ class Anatomy:
     def legs(self) -> tuple[Leg, Leg]:
         """The left and the right leg, in the order of all arrays over feet."""
         return (self.left, self.right)
+
+
+def resized(anatomy: Anatomy, factor: float) -> Anatomy:
+    """Return the anatomy of a body that is larger by a factor: its soles are farther down."""
+    if abs(factor - 1.0) < 1e-9:
+        return anatomy
+
+    def farther(point: FootPoint) -> FootPoint:
+        x, y, z = point.offset
+        return FootPoint(point.joint, (factor * x, factor * y, factor * z))
+
+    left, right = (
+        replace(leg, heel=farther(leg.heel), toe=farther(leg.toe)) for leg in anatomy.legs
+    )
+    return replace(anatomy, left=left, right=right)
 
 
 def leg_length(skeleton: Skeleton, leg: Leg) -> float:

@@ -13,6 +13,7 @@ import numpy as np
 
 from footfall.errors import SkeletonError
 from footfall.skeleton.joint_names import JointName, Role
+from footfall.skeleton.loose_feet import loose_feet
 from footfall.skeleton.skeleton import Skeleton
 
 __all__ = ["LegJoints", "ancestors", "descendants", "find_legs"]
@@ -81,7 +82,9 @@ def find_legs(
     if not isinstance(pair, str):
         return pair, [leg.reason for leg in pair]
     listed = ", ".join(skeleton.names[:12]) + (", ..." if skeleton.count > 12 else "")
-    raise SkeletonError(f"no legs found: {'; '.join([*failures, pair])}; the joints are {listed}")
+    loose = loose_feet(skeleton, names)
+    why = [*failures, pair] if loose is None else [loose]
+    raise SkeletonError(f"no legs found: {'; '.join(why)}; the joints are {listed}")
 
 
 def _named_leg(skeleton: Skeleton, names: tuple[JointName, ...], side: int) -> LegJoints | str:

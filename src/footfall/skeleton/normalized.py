@@ -12,7 +12,7 @@ weighted sum of them. Lengths are shares of the leg's length.
 | 3 × 2 | position of each ankle relative to the root ÷ leg length |
 
 The rotations of thigh and shank are kept beside the position of the ankle: they say which way
-the knee looks and how the leg is twisted, also where it is straight, and `reach_ankle` turns
+the knee looks and how the leg is twisted, also where it is straight, and `reach_ankles` turns
 them by as little as it takes to reach the ankle. One clip alone thus comes back as it was.
 """
 
@@ -21,14 +21,13 @@ from __future__ import annotations
 import numpy as np
 
 from footfall.arrays import Floats, Positions, Rotations, SmallFloats
-from footfall.compilation import kernel
-from footfall.geometry import conjugate, continuous, from_yaw, multiply, quaternions, rotate
-from footfall.skeleton.kinematics import pose_forward, world_poses
-from footfall.skeleton.rig import FOOT, THIGH, Rig
+from footfall.geometry import conjugate, continuous, from_yaw, multiply, rotate
+from footfall.octets import LANES
+from footfall.skeleton.kinematics import world_poses
+from footfall.skeleton.rig import Rig
 from footfall.skeleton.skeleton import Skeleton
-from footfall.skeleton.two_bone_ik import reach_point, turn_about
 
-__all__ = ["channel_count", "normalize", "place_chain", "reach_ankle"]
+__all__ = ["by_component", "channel_count", "normalize", "padded_count"]
 
 EFFECTORS = 7
 """Numbers that are lengths: the pelvis' height and two ankle positions."""
@@ -83,98 +82,26 @@ def normalize(
     return channels
 
 
-@kernel
-def place_chain(
-    rig: Rig,
-    local_rotations: Rotations,
-    pelvis_height: float,
-    rotations: Rotations,
-    positions: Positions,
-) -> None:
-    """Place every joint by its rotation alone.
+def padded_count(joints: int) -> int:
+    """Return how many rotations a pose of so many joints has by component: full octets."""
+    return -(-(joints + 2) // LANES) * LANES
+
+
+def by_component(keys: SmallFloats, joints: int) -> SmallFloats:
+    """Return normalized poses as the kernels blend them: component by component.
 
     Args:
-        rig: The body.
-        local_rotations: As blended, joint 0 relative to the root, shape (joints, 4).
-        pelvis_height: Over the ground [m].
-        rotations: Written: joints relative to the root, shape (joints, 4).
-        positions: Written: joints relative to the root [m], shape (joints, 3).
+        keys: Normalized poses, shape (frames, channels).
+        joints: How many joints they have.
+
+    Returns:
+        w of every joint and of both feet, then x, y and z, each padded with zeros to full octets;
+        then the lengths, padded likewise. Shape (frames, 4 padded + 8).
     """
-    for i in range(4):
-        rotations[0, i] = local_rotations[0, i]
-    positions[0, 0] = 0.0
-    positions[0, 1] = pelvis_height
-    positions[0, 2] = 0.0
-    pose_forward(rig.parents, rig.rest_offsets, local_rotations, rotations, positions)
-
-
-@kernel
-def reach_ankle(
-    rig: Rig,
-    side: int,
-    local_rotations: Rotations,
-    foot_rotations: Rotations,
-    ankles: Positions,
-    rotations: Rotations,
-    positions: Positions,
-) -> None:
-    """Turn one leg so that its ankle is where it should be and its foot as it was blended.
-
-    Args:
-        rig: The body.
-        side: 0 for the left leg, 1 for the right one.
-        local_rotations: As blended, shape (joints, 4).
-        foot_rotations: As blended, relative to the root, shape (2, 4).
-        ankles: Where the ankles should be, relative to the root [m], shape (2, 3).
-        rotations: Joints relative to the root, shape (joints, 4); the leg's are rewritten.
-        positions: Joints relative to the root [m], shape (joints, 3); likewise.
-    """
-    hip, knee, ankle = rig.limbs[side, 0], rig.limbs[side, 1], rig.limbs[side, 2]
-    upper, lower, bent, end = reach_point(
-        (positions[hip, 0], positions[hip, 1], positions[hip, 2]),
-        (positions[knee, 0], positions[knee, 1], positions[knee, 2]),
-        (positions[ankle, 0], positions[ankle, 1], positions[ankle, 2]),
-        (ankles[side, 0], ankles[side, 1], ankles[side, 2]),
-        (0.0, 0.0, 1.0),
-    )
-    hip_x, hip_y, hip_z = positions[hip, 0], positions[hip, 1], positions[hip, 2]
-    knee_x, knee_y, knee_z = positions[knee, 0], positions[knee, 1], positions[knee, 2]
-    for joint in range(hip, rig.parents.shape[0]):
-        if rig.leg_sides[joint] != side:
-            continue
-        segment = rig.leg_segments[joint]
-        if joint == ankle:
-            positions[joint, 0], positions[joint, 1], positions[joint, 2] = end
-            for i in range(4):
-                rotations[joint, i] = foot_rotations[side, i]
-        elif segment == FOOT:
-            _follow_parent(rig, joint, local_rotations, rotations, positions)
-        elif segment == THIGH:
-            turn_about(
-                joint, upper, (hip_x, hip_y, hip_z), (hip_x, hip_y, hip_z), rotations, positions
-            )
-        else:
-            turn_about(joint, lower, (knee_x, knee_y, knee_z), bent, rotations, positions)
-
-
-@kernel
-def _follow_parent(
-    rig: Rig,
-    joint: int,
-    local_rotations: Rotations,
-    rotations: Rotations,
-    positions: Positions,
-) -> None:
-    """Place one joint from its parent."""
-    parent = rig.parents[joint]
-    p = rotations[parent]
-    offset = rig.rest_offsets[joint]
-    x, y, z = quaternions.rotate(p[0], p[1], p[2], p[3], offset[0], offset[1], offset[2])
-    positions[joint, 0] = positions[parent, 0] + x
-    positions[joint, 1] = positions[parent, 1] + y
-    positions[joint, 2] = positions[parent, 2] + z
-    q = local_rotations[joint]
-    turned = rotations[joint]
-    turned[0], turned[1], turned[2], turned[3] = quaternions.product(
-        p[0], p[1], p[2], p[3], q[0], q[1], q[2], q[3]
-    )
+    rotations, padded = joints + 2, padded_count(joints)
+    out = np.zeros((len(keys), 4 * padded + LANES), dtype=np.float32)
+    for component in range(4):
+        first = component * padded
+        out[:, first : first + rotations] = keys[:, component : 4 * rotations : 4]
+    out[:, 4 * padded : 4 * padded + EFFECTORS] = keys[:, 4 * rotations :]
+    return out

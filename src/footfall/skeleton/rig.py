@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
 
-from footfall.arrays import Indices, Positions
-from footfall.skeleton.anatomy import Anatomy, Leg
+from footfall.arrays import Indices, Positions, SmallFloats
+from footfall.octets import LANES
+from footfall.skeleton.anatomy import Anatomy, BodyPart, Leg
 from footfall.skeleton.skeleton import Skeleton
 
 __all__ = ["FOOT", "SHANK", "THIGH", "Rig", "rig_of"]
@@ -27,6 +29,10 @@ class Rig(NamedTuple):
 
     parts: Indices
     """`BodyPart` of each joint, shape (joints,)."""
+
+    part_masks: SmallFloats
+    """1 where a joint belongs to a body part, the feet with the legs, else 0, shape
+    (parts, rotations of a pose by component)."""
 
     limbs: Indices
     """Hip, knee and ankle of each leg, shape (2, 3)."""
@@ -65,12 +71,20 @@ def rig_of(skeleton: Skeleton, anatomy: Anatomy) -> Rig:
         parents=np.array(skeleton.parents),
         rest_offsets=np.array(skeleton.rest_offsets),
         parts=np.array(anatomy.parts, dtype=np.int64),
+        part_masks=_part_masks([int(part) for part in anatomy.parts]),
         limbs=np.array([[leg.hip, leg.knee, leg.ankle] for leg in anatomy.legs], dtype=np.int64),
         leg_sides=sides,
         leg_segments=segments,
         foot_points=np.array([_foot_points(skeleton, leg) for leg in anatomy.legs]),
         leg_length=float(np.mean(lengths)),
     )
+
+
+def _part_masks(parts: Sequence[int]) -> SmallFloats:
+    rotations = [*parts, int(BodyPart.LEGS), int(BodyPart.LEGS)]
+    masks = np.zeros((len(BodyPart), -(-len(rotations) // LANES) * LANES), dtype=np.float32)
+    masks[rotations, np.arange(len(rotations))] = 1.0
+    return masks
 
 
 def _chain_length(skeleton: Skeleton, start: int, end: int) -> float:

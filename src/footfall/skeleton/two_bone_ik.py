@@ -1,16 +1,16 @@
 """The analytic limb: two bones that reach for a point, softly where it is far.
 
-Nothing here asks which limb it is. The bend stays in the plane it is in; only where the limb is
+Nothing here asks which limb it is, and nothing branches: the same source serves one limb and
+eight at once (`footfall.octets`). The bend stays in the plane it is in; only where the limb is
 so straight that there is no plane does the hint decide.
 """
 
 from __future__ import annotations
 
-import math
-
 from footfall.arrays import Positions, Rotations
-from footfall.compilation import kernel
+from footfall.compilation import kernel, small_kernel
 from footfall.geometry import quaternions
+from footfall.octets import exponential, greater, select, smaller, square_root
 
 Vector = tuple[float, float, float]
 Quaternion = tuple[float, float, float, float]
@@ -25,6 +25,9 @@ LONGEST_REACH = 0.9995
 """Extension that is never exceeded by reaching, since a perfectly straight limb has no bending
 plane; one that is straighter already stays as straight."""
 
+STRAIGHT = 1e-9
+"""Distance from a limb's line below which its middle joint is on it."""
+
 _HINT_SHARE = 0.02
 """Greatest pull of the hint on the bending direction; it decides below one degree of bend."""
 
@@ -35,7 +38,7 @@ _HINT_MOVE = 0.01
 """Move of the end [m] below which the hint fades away: a limb that stays put stays as it is."""
 
 
-@kernel
+@small_kernel
 def softened_reach(distance: float, length: float, present: float) -> float:
     """Return how far a limb extends for a target at this distance.
 
@@ -47,45 +50,47 @@ def softened_reach(distance: float, length: float, present: float) -> float:
         length: Of both bones together [m].
         present: The limb's extension before [m]: a limb that is already straight may stay so.
     """
-    longest = min(max(LONGEST_REACH * length, present), length)
-    start = min(max(SOFT_REACH * length, present), longest)
+    longest = smaller(greater(LONGEST_REACH * length, present), length)
+    start = smaller(greater(SOFT_REACH * length, present), longest)
     room = longest - start
-    if distance <= start:
-        return distance
-    if room <= 1e-9 * length:
-        return longest
-    return start + room * (1.0 - math.exp(-(distance - start) / room))
+    none = room <= 1e-9 * length
+    beyond = greater(distance - start, 0.0) / select(none, 1.0, room)
+    soft = select(none, longest, start + room * (1.0 - exponential(-beyond)))
+    return select(distance <= start, distance, soft)
 
 
-@kernel
+@small_kernel
 def _bent_length(upper: float, lower: float, distance: float) -> float:
     """Return how far along the line to the target the middle joint stands [m]."""
     return (upper * upper + distance * distance - lower * lower) / (2.0 * distance)
 
 
-@kernel
+@small_kernel
 def _bending_direction(upper: Vector, line: Vector, hint: Vector, moved: float) -> Vector:
     """Return the unit direction across a limb's line in which its middle joint stands."""
-    along = upper[0] * line[0] + upper[1] * line[1] + upper[2] * line[2]
-    px = upper[0] - along * line[0]
-    py = upper[1] - along * line[1]
-    pz = upper[2] - along * line[2]
-    across = math.sqrt(px * px + py * py + pz * pz)
-    pull = _HINT_SHARE * max(0.0, 1.0 - across / _HINT_BEND) * min(1.0, moved / _HINT_MOVE)
-    along = hint[0] * line[0] + hint[1] * line[1] + hint[2] * line[2]
-    px += pull * (hint[0] - along * line[0])
-    py += pull * (hint[1] - along * line[1])
-    pz += pull * (hint[2] - along * line[2])
-    across = math.sqrt(px * px + py * py + pz * pz)
-    if across < 1e-9:
-        px, py, pz = hint[0] - along * line[0], hint[1] - along * line[1], hint[2] - along * line[2]
-        across = math.sqrt(px * px + py * py + pz * pz)
-    if across < 1e-9:
-        px, py, pz = -line[1], line[0], 0.0
-        if line[0] * line[0] + line[1] * line[1] < 1e-6:
-            px, py, pz = 1.0, 0.0, 0.0
-        across = math.sqrt(px * px + py * py + pz * pz)
+    px, py, pz, across = _across(upper, line)
+    hx, hy, hz, hint_across = _across(hint, line)
+    bend = greater(0.0, 1.0 - across / _HINT_BEND)
+    pull = _HINT_SHARE * bend * smaller(1.0, moved / _HINT_MOVE)
+    px, py, pz = px + pull * hx, py + pull * hy, pz + pull * hz
+    across = square_root(px * px + py * py + pz * pz)
+    # A limb that is straight and whose hint lies along it bends anywhere across it.
+    flat = line[0] * line[0] + line[1] * line[1] < 1e-6
+    ox, oy = select(flat, 1.0, -line[1]), select(flat, 0.0, line[0])
+    lost = hint_across < STRAIGHT
+    hx, hy, hz = select(lost, ox, hx), select(lost, oy, hy), select(lost, 0.0, hz)
+    straight = across < STRAIGHT
+    px, py, pz = select(straight, hx, px), select(straight, hy, py), select(straight, hz, pz)
+    across = square_root(px * px + py * py + pz * pz)
     return px / across, py / across, pz / across
+
+
+@small_kernel
+def _across(vector: Vector, line: Vector) -> tuple[float, float, float, float]:
+    """Return the part of a vector across a unit direction, and its length."""
+    along = vector[0] * line[0] + vector[1] * line[1] + vector[2] * line[2]
+    x, y, z = vector[0] - along * line[0], vector[1] - along * line[1], vector[2] - along * line[2]
+    return x, y, z, square_root(x * x + y * y + z * z)
 
 
 @kernel
@@ -110,23 +115,23 @@ def reach_point(
     lx, ly, lz = end[0] - middle[0], end[1] - middle[1], end[2] - middle[2]
     ex, ey, ez = end[0] - start[0], end[1] - start[1], end[2] - start[2]
     tx, ty, tz = target[0] - start[0], target[1] - start[1], target[2] - start[2]
-    upper = math.sqrt(ux * ux + uy * uy + uz * uz)
-    lower = math.sqrt(lx * lx + ly * ly + lz * lz)
-    present = math.sqrt(ex * ex + ey * ey + ez * ez)
-    distance = math.sqrt(tx * tx + ty * ty + tz * tz)
-    none = (1.0, 0.0, 0.0, 0.0)
-    if min(upper, lower, present, distance) < 1e-9:
-        return none, none, middle, end
+    upper = square_root(ux * ux + uy * uy + uz * uz)
+    lower = square_root(lx * lx + ly * ly + lz * lz)
+    present = square_root(ex * ex + ey * ey + ez * ez)
+    distance = square_root(tx * tx + ty * ty + tz * tz)
+    stays = smaller(smaller(upper, lower), smaller(present, distance)) < STRAIGHT
+    upper, distance = select(stays, 1.0, upper), select(stays, 1.0, distance)
     reach = softened_reach(distance, upper + lower, present)
-    reach = max(reach, abs(upper - lower) + 1e-6 * (upper + lower))
+    reach = greater(reach, greater(upper - lower, lower - upper) + 1e-6 * (upper + lower))
     dx, dy, dz = tx / distance, ty / distance, tz / distance
     sw, sx, sy, sz = quaternions.between(ex, ey, ez, tx, ty, tz)
     gx, gy, gz = quaternions.rotate(sw, sx, sy, sz, ux / upper, uy / upper, uz / upper)
-    moved = math.sqrt((tx - ex) ** 2 + (ty - ey) ** 2 + (tz - ez) ** 2)
+    wx, wy, wz = tx - ex, ty - ey, tz - ez
+    moved = square_root(wx * wx + wy * wy + wz * wz)
     px, py, pz = _bending_direction((gx, gy, gz), (dx, dy, dz), hint, moved)
     bent = _bent_length(upper, lower, reach)
-    bent = min(max(bent, -upper), upper)
-    height = math.sqrt(max(upper * upper - bent * bent, 0.0))
+    bent = smaller(greater(bent, -upper), upper)
+    height = square_root(greater(upper * upper - bent * bent, 0.0))
     mx, my, mz = bent * dx + height * px, bent * dy + height * py, bent * dz + height * pz
     uw, vx, vy, vz = quaternions.between(gx, gy, gz, mx, my, mz)
     upper_turn = quaternions.product(uw, vx, vy, vz, sw, sx, sy, sz)
@@ -134,11 +139,34 @@ def reach_point(
     nx, ny, nz = reach * dx - mx, reach * dy - my, reach * dz - mz
     lw, vx, vy, vz = quaternions.between(gx, gy, gz, nx, ny, nz)
     lower_turn = quaternions.product(lw, vx, vy, vz, sw, sx, sy, sz)
+    new_middle = (start[0] + mx, start[1] + my, start[2] + mz)
+    new_end = (start[0] + reach * dx, start[1] + reach * dy, start[2] + reach * dz)
     return (
-        upper_turn,
-        lower_turn,
-        (start[0] + mx, start[1] + my, start[2] + mz),
-        (start[0] + reach * dx, start[1] + reach * dy, start[2] + reach * dz),
+        _unless_turn(stays, upper_turn),
+        _unless_turn(stays, lower_turn),
+        _unless_moved(stays, middle, new_middle),
+        _unless_moved(stays, end, new_end),
+    )
+
+
+@small_kernel
+def _unless_turn(stays: bool, turn: Quaternion) -> Quaternion:
+    """Return a rotation, or none where a limb stays as it is."""
+    return (
+        select(stays, 1.0, turn[0]),
+        select(stays, 0.0, turn[1]),
+        select(stays, 0.0, turn[2]),
+        select(stays, 0.0, turn[3]),
+    )
+
+
+@small_kernel
+def _unless_moved(stays: bool, old: Vector, new: Vector) -> Vector:
+    """Return where a joint goes, or where it was where a limb stays as it is."""
+    return (
+        select(stays, old[0], new[0]),
+        select(stays, old[1], new[1]),
+        select(stays, old[2], new[2]),
     )
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from footfall.compilation import kernel
+from footfall.compilation import lean_kernel, small_kernel
 from footfall.support import Support
 from footfall.sync.tables import ABSENT, ENDED_NEUTRAL, Rules, SequenceTable
 from footfall.sync.window import Window
@@ -13,7 +13,7 @@ FLIGHT = int(Support.FLIGHT)
 CONFLICT = int(Support.CONFLICT)
 
 
-@kernel
+@small_kernel
 def support_of(table: SequenceTable, sequence: int, phase: int, ended: int) -> int:
     """Return the support of a sequence at an absolute phase index (section 4.3, figure 6).
 
@@ -30,7 +30,7 @@ def support_of(table: SequenceTable, sequence: int, phase: int, ended: int) -> i
     return int(table.supports[table.first[sequence] + own]) if own >= 0 else table.whole
 
 
-@kernel
+@small_kernel
 def own_phase(table: SequenceTable, sequence: int, phase: int, ended: int) -> int:
     """Return an absolute phase index as an index into the sequence's own list.
 
@@ -48,19 +48,19 @@ def own_phase(table: SequenceTable, sequence: int, phase: int, ended: int) -> in
     return ABSENT if ended == ENDED_NEUTRAL else count - 1
 
 
-@kernel
+@small_kernel
 def has_ended(table: SequenceTable, sequence: int, phase: int) -> bool:
     """Return whether a clamped sequence is past its last phase, or has left the schedule."""
     return phase < 0 or (not table.cyclic[sequence] and phase >= table.phase_count[sequence])
 
 
-@kernel
+@small_kernel
 def following(phase: int) -> int:
     """Return the absolute phase index after another one; nothing follows `ABSENT`."""
     return phase + 1 if phase >= 0 else ABSENT
 
 
-@kernel
+@lean_kernel
 def combine_column(table: SequenceTable, window: Window, rules: Rules, column: int) -> bool:
     """Combine the supports of one column (eq. 2) into `window.results`.
 
@@ -83,7 +83,7 @@ def combine_column(table: SequenceTable, window: Window, rules: Rules, column: i
     return everybody != CONFLICT
 
 
-@kernel
+@lean_kernel
 def recombine(table: SequenceTable, window: Window, rules: Rules) -> bool:
     """Combine every decided column as it stands; return whether all can be played."""
     playable = True

@@ -8,7 +8,7 @@ end, this never fails: whoever is held stands on anything but the other foot.
 
 from __future__ import annotations
 
-from footfall.compilation import kernel
+from footfall.compilation import lean_kernel, small_kernel
 from footfall.support import Support
 from footfall.sync.columns import combine_column, following, support_of
 from footfall.sync.tables import ABSENT, ENDED_STOPS, Rules, SequenceTable
@@ -29,7 +29,7 @@ LEFT = int(Support.LEFT)
 RIGHT = int(Support.RIGHT)
 
 
-@kernel
+@small_kernel
 def precedes(window: Window, seat: int, other: int) -> bool:
     """Return whether a seat has the higher priority, or is the older of two equal ones."""
     if window.priority[seat] != window.priority[other]:
@@ -37,7 +37,7 @@ def precedes(window: Window, seat: int, other: int) -> bool:
     return window.age[seat] < window.age[other]
 
 
-@kernel
+@lean_kernel
 def synchronize_column(table: SequenceTable, window: Window, rules: Rules, column: int) -> bool:
     """Decide one column from the one before it (section 5.1).
 
@@ -67,7 +67,7 @@ def synchronize_column(table: SequenceTable, window: Window, rules: Rules, colum
     return False
 
 
-@kernel
+@lean_kernel
 def _hold_the_other_foot(table: SequenceTable, window: Window, rules: Rules, column: int) -> int:
     """Hold all whose foot is not that of the first in order of priority; return that foot."""
     leader = -1
@@ -85,7 +85,7 @@ def _hold_the_other_foot(table: SequenceTable, window: Window, rules: Rules, col
     return refused
 
 
-@kernel
+@lean_kernel
 def _hold(table: SequenceTable, window: Window, rules: Rules, column: int, refused: int) -> None:
     """Hold every action that is about to stand on one foot."""
     for seat in range(window.playing.shape[0]):
@@ -97,7 +97,7 @@ def _hold(table: SequenceTable, window: Window, rules: Rules, column: int, refus
                 window.phases[seat, column] = window.phases[seat, column - 1]
 
 
-@kernel
+@lean_kernel
 def _stop_the_ended(
     table: SequenceTable, window: Window, rules: Rules, column: int, refused: int
 ) -> None:
@@ -111,7 +111,7 @@ def _stop_the_ended(
                 window.phases[seat, column] = ABSENT
 
 
-@kernel
+@lean_kernel
 def _hold_as_appendix_a(table: SequenceTable, window: Window, rules: Rules, column: int) -> None:
     """Hold those that do not go with the result of the column before (Appendix A).
 
@@ -132,7 +132,7 @@ def _hold_as_appendix_a(table: SequenceTable, window: Window, rules: Rules, colu
         _hold(table, window, rules, column, refused)
 
 
-@kernel
+@lean_kernel
 def enter_next_slot(table: SequenceTable, window: Window, rules: Rules) -> bool:
     """Move the window on by one slot and decide its new last column.
 
@@ -149,7 +149,7 @@ def enter_next_slot(table: SequenceTable, window: Window, rules: Rules) -> bool:
     return synchronize_column(table, window, rules, lookahead)
 
 
-@kernel
+@lean_kernel
 def enter_window(table: SequenceTable, window: Window, rules: Rules, seat: int, entry: int) -> bool:
     """Put an action in at column 0, test all columns, and keep what came of it either way.
 
@@ -177,7 +177,7 @@ def enter_window(table: SequenceTable, window: Window, rules: Rules, seat: int, 
     return grounded or not rules.stays_grounded
 
 
-@kernel
+@lean_kernel
 def try_start(table: SequenceTable, window: Window, rules: Rules, seat: int, entry: int) -> bool:
     """Start an action at a phase if that can be synchronized (section 5.1).
 
@@ -201,7 +201,7 @@ def try_start(table: SequenceTable, window: Window, rules: Rules, seat: int, ent
     return False
 
 
-@kernel
+@lean_kernel
 def keep_window(window: Window) -> None:
     """Copy the decided columns to the working memory."""
     for column in range(window.results.shape[0]):
@@ -210,7 +210,7 @@ def keep_window(window: Window) -> None:
             window.spare_phases[seat, column] = window.phases[seat, column]
 
 
-@kernel
+@lean_kernel
 def restore_window(window: Window, seat: int) -> None:
     """Take the decided columns back from the working memory, without the action of a seat."""
     window.playing[seat] = False

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from footfall.compilation import kernel
+from footfall.compilation import lean_kernel, small_kernel
 from footfall.sync.columns import has_ended
 from footfall.sync.tables import Rules, SequenceTable
 from footfall.sync.window import Window
@@ -12,7 +12,7 @@ from footfall.sync.window import Window
 __all__ = ["finish_slot", "natural_duration", "slot_seconds", "spend_slot", "stretch_of"]
 
 
-@kernel
+@small_kernel
 def natural_duration(table: SequenceTable, sequence: int, phase: int) -> float:
     """Return how long a phase lasts at its clip's own speed; past the end, the last one."""
     count = table.phase_count[sequence]
@@ -23,7 +23,7 @@ def natural_duration(table: SequenceTable, sequence: int, phase: int) -> float:
     return float(table.durations[table.first[sequence] + phase])
 
 
-@kernel
+@lean_kernel
 def finish_slot(table: SequenceTable, window: Window) -> None:
     """Count the slot being played to those for which somebody was held or a support lasted.
 
@@ -49,7 +49,7 @@ def finish_slot(table: SequenceTable, window: Window) -> None:
                 window.held[seat] += 1
 
 
-@kernel
+@lean_kernel
 def spend_slot(table: SequenceTable, window: Window) -> None:
     """Let the slot being played pass in `Window.remaining`, before the next one is entered.
 

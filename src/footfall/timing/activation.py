@@ -7,7 +7,7 @@ or bend a flight; so the progress waits there (S-27), for as long as the fade as
 
 from __future__ import annotations
 
-from footfall.compilation import kernel
+from footfall.compilation import kernel, small_kernel
 
 __all__ = ["advance_progress", "level", "reverse_fade", "smoothstep"]
 
@@ -16,7 +16,7 @@ _COMPLETE = 1.0 - 1e-13
 _SHORTEST = 1e-9  # Of a fade [s]: the reciprocal of a much shorter one is infinite.
 
 
-@kernel
+@small_kernel
 def smoothstep(x: float) -> float:
     """Return 0 below 0, 1 above 1, and between them the cubic that is level at both ends."""
     if x <= 0.0:
@@ -26,7 +26,7 @@ def smoothstep(x: float) -> float:
     return x * x * (3.0 - 2.0 * x)
 
 
-@kernel
+@small_kernel
 def level(progress: float) -> float:
     """Return the level, 0..1, of an action that fades in, at this progress of its fade.
 
@@ -35,7 +35,7 @@ def level(progress: float) -> float:
     return smoothstep(progress)
 
 
-@kernel
+@small_kernel
 def advance_progress(
     progress: float, elapsed: float, asked: float, dt: float, pace: float
 ) -> float:

@@ -13,14 +13,14 @@ from dataclasses import dataclass
 import numpy as np
 
 from footfall.arrays import Floats, Indices, Seconds, frozen
-from footfall.compilation import kernel
+from footfall.compilation import kernel, small_kernel
 from footfall.errors import ArgumentError
 from footfall.geometry.curves import cubic_hermite, rational_hermite
 
 __all__ = ["TimeWarp", "end_slope", "end_slope_paper", "warp"]
 
 
-@kernel
+@small_kernel
 def end_slope_paper(mean: float, rate: float) -> float:
     """Return the rate at the end of a slot, as printed (figures 11D and 11E).
 
@@ -30,7 +30,7 @@ def end_slope_paper(mean: float, rate: float) -> float:
     return min(max(2.0 * mean - rate, 0.0), 3.0 * mean)
 
 
-@kernel
+@small_kernel
 def end_slope(mean: float, next_mean: float) -> float:
     """Return the rate at the end of a slot that suits both slots that meet there.
 
@@ -42,7 +42,7 @@ def end_slope(mean: float, next_mean: float) -> float:
     return 2.0 * mean * next_mean / (mean + next_mean)
 
 
-@kernel
+@small_kernel
 def warp(
     t: float,
     t0: float,

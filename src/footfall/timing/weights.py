@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from footfall.arrays import Seconds, Weights
-from footfall.compilation import kernel
+from footfall.compilation import lean_kernel, small_kernel
 
 __all__ = ["normalize_weights", "slot_duration"]
 
@@ -11,7 +11,7 @@ LONE = 0.1
 """Share of its own priority that an action counts as the least of what is there besides it."""
 
 
-@kernel
+@lean_kernel
 def normalize_weights(priorities: Weights, levels: Weights, out: Weights) -> None:
     """Share each body part among the actions, and give what they leave to the neutral motion.
 
@@ -39,6 +39,10 @@ def normalize_weights(priorities: Weights, levels: Weights, out: Weights) -> Non
     """
     seats = levels.shape[0]
     for part in range(priorities.shape[1]):
+        if part > 0 and _alike(priorities, part):
+            for seat in range(seats + 1):
+                out[seat, part] = out[seat, part - 1]
+            continue
         total = 0.0
         presence = 0.0
         for seat in range(seats):
@@ -64,7 +68,16 @@ def normalize_weights(priorities: Weights, levels: Weights, out: Weights) -> Non
         out[seats, part] = 1.0 - presence
 
 
-@kernel
+@small_kernel
+def _alike(priorities: Weights, part: int) -> bool:
+    """Return whether every action has the same priority on a body part as on the one before."""
+    for seat in range(priorities.shape[0]):
+        if priorities[seat, part] != priorities[seat, part - 1]:
+            return False
+    return True
+
+
+@small_kernel
 def slot_duration(shares: Weights, natural_durations: Seconds, count: int) -> float:
     """Return how long a slot lasts: the weighted mean of what its phases last (eq. 6).
 

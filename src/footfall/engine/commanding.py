@@ -1,0 +1,174 @@
+"""The commands of a crowd: they are given for many rows at once, and carried out in a kernel."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from footfall.arrays import Seconds
+from footfall.engine.commands import NOBODY, catch_up_rows, prioritize_rows, start_rows, stop_rows
+from footfall.engine.library import MotionLibrary
+from footfall.engine.priorities import parse_priority
+from footfall.engine.record import SEATS
+from footfall.engine.refusals import LATE, Late, check_patience, explain_wait
+from footfall.engine.rows import Rows, check_present
+from footfall.engine.shelf import Shelf
+from footfall.engine.workers import Workers
+from footfall.errors import ArgumentError
+from footfall.sync.refusal import Refusal
+from footfall.sync.search_memory import SearchMemories
+from footfall.sync.tables import Planner, Rules
+
+__all__ = ["Commanding"]
+
+
+class Commanding:
+    """The part of a crowd that is told what to do."""
+
+    library: MotionLibrary
+    _characters: npt.NDArray[Any]
+    _planner: Planner
+    _rules: Rules
+    _shelf: Shelf
+    _known: int
+    _workers: Workers
+
+    def _refresh(self) -> None:
+        if len(self.library.actions) != self._known:
+            self._shelf = self.library.shelf(self._planner)
+            self._known = len(self.library.actions)
+
+    def _check_action(self, action: int) -> int:
+        if not 0 <= action < len(self.library.actions):
+            raise ArgumentError(
+                f"action {action}; the library has 0..{len(self.library.actions) - 1}"
+            )
+        self._refresh()
+        return action
+
+    def start(
+        self,
+        action: int,
+        rows: Rows = None,
+        *,
+        patience: float = math.inf,
+        late: Late = "give up",
+        ahead: npt.ArrayLike = 0.0,
+    ) -> npt.NDArray[np.bool_]:
+        """Start an action, or let it wait for its moment.
+
+        Args:
+            action: Its id in the library.
+            rows: Which characters: row numbers, a mask, or None for all.
+            patience: How long it waits at most [s], >= 0; for ever by default.
+            late: What becomes of it then: "give up", or "mute" to go on without its legs.
+            ahead: How long ago it began [s], >= 0, so that a crowd does not march in step: one
+                number or one a row. Only for characters that have shown nothing yet.
+
+        Returns:
+            Whether it runs now, for each of the rows; where not, it waits for its moment.
+
+        Raises:
+            ArgumentError: If an argument is out of range, or a character has its hands full;
+                then nobody starts.
+        """
+        check_patience(patience, late)
+        action = self._check_action(action)
+        chosen = check_present(rows, self._characters)
+        seconds = self._check_ahead(ahead, chosen)
+        started = np.zeros(len(chosen), dtype=np.bool_)
+        full = start_rows(
+            self._shelf,
+            self._characters,
+            self.search,
+            self._rules,
+            chosen,
+            action,
+            float(patience),
+            LATE[late],
+            started,
+        )
+        if full != NOBODY:
+            raise ArgumentError(
+                f"character {full} already has {SEATS} actions running, waiting or fading; "
+                "stop one first"
+            )
+        early = started & (seconds > 0.0)
+        if early.any():
+            chosen, seconds = chosen[early], seconds[early]
+            catch_up_rows(self._shelf, self._characters, self.search, self._rules, chosen, seconds)
+        return started
+
+    def _check_ahead(self, ahead: npt.ArrayLike, chosen: npt.NDArray[np.int64]) -> Seconds:
+        seconds = np.array(np.broadcast_to(np.asarray(ahead, dtype=np.float64), chosen.shape))
+        wrong = ~(np.isfinite(seconds) & (seconds >= 0.0))
+        if wrong.any():
+            raise ArgumentError(f"ahead is {seconds[wrong][0]} s; it must be finite and >= 0")
+        shown = chosen[(seconds > 0.0) & (self._characters["fresh"][chosen] == 0)]
+        if len(shown):
+            raise ArgumentError(
+                f"character {shown[0]} has been shown already; only one that has not can be ahead"
+            )
+        return seconds
+
+    def refusal(self, action: int, row: int) -> Refusal:
+        """Say why an action of one character waits, and when it will start.
+
+        Raises:
+            ArgumentError: If it does not wait, or does not exist.
+        """
+        me = self._characters[check_present([row], self._characters)[0]]
+        action = self._check_action(action)
+        return explain_wait(self._shelf, me, self.search, self._rules, self.library, action)
+
+    def stop(self, action: int, rows: Rows = None) -> None:
+        """Let an action fade out, or cancel its waiting start.
+
+        Args:
+            action: Its id in the library.
+            rows: Which characters: row numbers, a mask, or None for all.
+
+        Raises:
+            ArgumentError: If the action or a row does not exist.
+        """
+        action = self._check_action(action)
+        stop_rows(self._shelf, self._characters, check_present(rows, self._characters), action)
+
+    def set_priority(
+        self, action: int, priority: float | Mapping[str, float], rows: Rows = None
+    ) -> None:
+        """Change the priority of a running or waiting action.
+
+        Args:
+            action: Its id in the library.
+            priority: As in `MotionLibrary.add`.
+            rows: Which characters: row numbers, a mask, or None for all.
+
+        Raises:
+            ArgumentError: If the action or a row does not exist, or a number is out of range.
+            UnknownNameError: If a body part is unknown.
+        """
+        action = self._check_action(action)
+        values = parse_priority(priority)
+        chosen = check_present(rows, self._characters)
+        prioritize_rows(self._characters, chosen, action, values)
+
+    @property
+    def shelf(self) -> Shelf:
+        """The library as the kernels take it."""
+        self._refresh()
+        return self._shelf
+
+    @property
+    def search(self) -> SearchMemories:
+        """Memory of the planner."""
+        return self._workers.workspace.search
+
+    @property
+    def rules(self) -> Rules:
+        """The rules of the planner."""
+        return self._rules

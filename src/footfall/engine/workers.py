@@ -1,0 +1,74 @@
+"""Threads that share the blocks of a crowd.
+
+Every block of eight is worked on by one thread, with memory of its own, and depends on no other
+block: how many threads there are, and which one takes what, changes no bit of the result.
+"""
+
+from __future__ import annotations
+
+import itertools
+import os
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+
+from footfall.engine.state import Workspace, new_workspace
+from footfall.errors import ArgumentError
+from footfall.octets import LANES
+
+__all__ = ["Workers"]
+
+SERIAL_BELOW = 2048
+"""Characters up to which one thread is faster: waking another takes as long as they do."""
+
+SHARE = 128
+"""Blocks that a thread takes at a time."""
+
+Task = Callable[[Workspace, int, int], None]
+"""Works on the blocks from one number to the one before another."""
+
+
+class Workers:
+    """Some threads, each with its own memory to work in."""
+
+    def __init__(self, joints: int, threads: int | None) -> None:
+        """Prepare threads; they start when they are needed first.
+
+        Args:
+            joints: How many joints the bodies have.
+            threads: How many, >= 1; None: one for each processor that may be used.
+
+        Raises:
+            ArgumentError: If there is no thread.
+        """
+        if threads is None:
+            threads = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else 1
+        if threads < 1:
+            raise ArgumentError(f"{threads} threads; a crowd needs at least 1")
+        self._workspaces = [new_workspace(joints) for _ in range(threads)]
+        self._executor: ThreadPoolExecutor | None = None
+
+    @property
+    def workspace(self) -> Workspace:
+        """The memory of the thread that gives commands."""
+        return self._workspaces[0]
+
+    def run(self, task: Task, blocks: int) -> None:
+        """Work on all blocks, and wait until everything is done."""
+        if len(self._workspaces) == 1 or blocks * LANES < SERIAL_BELOW:
+            task(self._workspaces[0], 0, blocks)
+            return
+        if self._executor is None:
+            self._executor = ThreadPoolExecutor(len(self._workspaces) - 1, "footfall")
+        shares = itertools.count(0, SHARE)
+
+        def take_shares(workspace: Workspace) -> None:
+            # Taking the next number of a count is one step for the interpreter: no two get one.
+            for first in shares:
+                if first >= blocks:
+                    return
+                task(workspace, first, min(first + SHARE, blocks))
+
+        others = [self._executor.submit(take_shares, one) for one in self._workspaces[1:]]
+        take_shares(self._workspaces[0])
+        for other in others:
+            other.result()
