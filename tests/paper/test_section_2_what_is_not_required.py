@@ -12,7 +12,7 @@ from tests.engine.test_pipeline import CUES, FPS, accelerations, play, walker
 from tests.paper.requirements import requirement
 
 import footfall as ff
-from footfall.engine import library as library_module
+from footfall.engine import library_body as library_module
 from footfall.engine.recording import Recording
 from footfall.samples import sample_names
 from footfall.support import Support, SupportSequence
