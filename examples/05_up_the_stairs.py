@@ -1,6 +1,6 @@
 """A walk over the level and up some stairs, its feet on every step.
 
-The picture shows it from its right side; the line is the level, the steps are not drawn.
+The picture shows it from its right side, with the steps under it.
 """
 
 import sys
@@ -17,12 +17,13 @@ from footfall.view import strip_svg
 def main(folder: Path) -> None:
     """Climb, and write the picture."""
     walk, supports = ff.sample("walk")
-    stairs = Stairs((0.0, 0.0, 2.0), 10)
-    hero = ff.Character(walk.skeleton, ground=Terrain((Plane(), stairs)))
+    stairs = Stairs((0.0, 0.0, 2.0), 5, rise=0.17, tread=0.65, landing=9.0)
+    ground = Terrain((Plane(), stairs))
+    hero = ff.Character(walk.skeleton, ground=ground)
     hero.add("walk", walk, supports)
     hero.start("walk")
     recorder = Recorder(hero, 60)
-    for _ in range(260):
+    for _ in range(540):
         hero.advance(1 / 60)
         recorder.keep()
 
@@ -36,7 +37,7 @@ def main(folder: Path) -> None:
         fps=60,
         supports=shown.supports,
     )
-    picture = strip_svg([("up the stairs", trace)], walk.skeleton.parents)
+    picture = strip_svg([("up the stairs", trace)], walk.skeleton.parents, ground=ground)
     (folder / "05_up_the_stairs.svg").write_text(picture, encoding="utf-8")
 
 

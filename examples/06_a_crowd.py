@@ -1,6 +1,7 @@
 """Sixty characters that share three gaits, advanced in one call.
 
-The picture is their ways from above, each in its own color.
+The picture is their ways from above, colored by how fast they go; a black
+dot is where one of them is at the end.
 """
 
 import sys
@@ -9,8 +10,11 @@ from pathlib import Path
 import numpy as np
 
 import footfall as ff
+from footfall.view.svg import Picture
 
-COLORS = ("#2f6db5", "#e08a1e", "#3a9a5b", "#b5432f", "#7a56a8")
+PACES = (0.4, 1.58, 2.6, 99.0)
+NAMES = ("stands", "walks", "walks fast", "runs")
+COLORS, MIDDLE, EVERY = ("#9aa4b0", "#2f6db5", "#3a9a5b", "#d8741a"), 480.0, 8
 
 
 def main(folder: Path) -> None:
@@ -32,19 +36,24 @@ def main(folder: Path) -> None:
         crowd.advance(1 / 60)
         ways.append(crowd.world_positions[:, 0, ::2].copy())
 
-    lines = [_polyline(way, row) for row, way in enumerate(np.stack(ways, axis=1))]
-    picture = (
-        '<svg xmlns="http://www.w3.org/2000/svg" viewBox="-18 -18 36 36" width="900" '
-        f'height="900"><rect x="-18" y="-18" width="36" height="36" fill="#fff"/>'
-        f"{''.join(lines)}</svg>"
-    )
-    (folder / "06_a_crowd.svg").write_text(picture, encoding="utf-8")
+    picture = Picture("crowd", "Sixty characters from above", 2 * MIDDLE, 2 * MIDDLE)
+    scale = (MIDDLE - 16) / np.abs(ways).max()
+    for way in np.stack(ways, axis=1)[:, ::EVERY]:
+        _draw(picture, scale * way, way)
+    for row, (name, color) in enumerate(zip(NAMES, COLORS, strict=True)):
+        picture.line(24, 30 + 24 * row, 60, 30 + 24 * row, stroke=color, stroke_width=4)
+        picture.words(70, 35 + 24 * row, name, size=15)
+    (folder / "06_a_crowd.svg").write_text(picture.to_svg(), encoding="utf-8")
 
 
-def _polyline(way: np.ndarray, row: int) -> str:
-    points = " ".join(f"{x:.2f},{z:.2f}" for x, z in way[::6])
-    color = COLORS[row % len(COLORS)]
-    return f'<polyline points="{points}" fill="none" stroke="{color}" stroke-width="0.06"/>'
+def _draw(picture: Picture, drawn: np.ndarray, way: np.ndarray) -> None:
+    places = [(MIDDLE + x, MIDDLE - z) for x, z in drawn.tolist()]
+    speeds: list[float] = (np.linalg.norm(np.diff(way, axis=0), axis=1) * 60 / EVERY).tolist()
+    for start, speed in enumerate(speeds):
+        pace = int(np.searchsorted(PACES, speed))
+        picture.path(places[start : start + 2], stroke=COLORS[pace], stroke_width=2.5)
+    picture.add("circle", cx=places[0][0], cy=places[0][1], r=3, class_="ink", opacity=0.35)
+    picture.add("circle", cx=places[-1][0], cy=places[-1][1], r=5, class_="ink")
 
 
 if __name__ == "__main__":

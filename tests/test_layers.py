@@ -53,7 +53,17 @@ MAY_IMPORT: dict[str, frozenset[str]] = {
     "benchmark": _ALL_BUT_FACES | {"view"},
     "warming": _ALL_BUT_FACES,
     "cli": _ALL_BUT_FACES
-    | {"report", "studio", "view", "datasets", "figures", "robots", "benchmark", "footfall"},
+    | {
+        "report",
+        "studio",
+        "view",
+        "datasets",
+        "figures",
+        "robots",
+        "benchmark",
+        "footfall",
+        "warming",
+    },
     "__main__": frozenset({"cli"}),
     "footfall": _ALL_BUT_FACES | {"report", "warming"},
 } | dict.fromkeys(OPEN, _NOBODY)

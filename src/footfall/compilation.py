@@ -20,7 +20,15 @@ import numpy as np
 import numpy.typing as npt
 from numba.core import config as numba_config  # pyright: ignore[reportMissingTypeStubs]
 
-__all__ = ["inlined_kernel", "inner_kernel", "kernel", "lean_kernel", "records", "small_kernel"]
+__all__ = [
+    "inlined_kernel",
+    "inner_kernel",
+    "is_compiled",
+    "kernel",
+    "lean_kernel",
+    "records",
+    "small_kernel",
+]
 
 Function = TypeVar("Function", bound=Callable[..., Any])
 
@@ -127,6 +135,11 @@ def inlined_kernel(function: Function) -> Function:
     would be translated together with everything below it, once more for each step of the way up.
     """
     return _compiled(function, inline="always")
+
+
+def is_compiled(name: str) -> bool:
+    """Return whether the cache holds machine code of a kernel of this name."""
+    return any(Path(str(_numba_config.CACHE_DIR)).rglob(f"*.{name}-*.nbi"))
 
 
 def records(array: npt.NDArray[Any]) -> npt.NDArray[Any]:

@@ -12,6 +12,7 @@ from typing import Any
 import pytest
 
 from footfall.cli import main
+from footfall.scenario.cue_sheet import parse_scenario
 
 ROOT = Path(__file__).parents[2]
 PAGES = sorted([*(ROOT / "docs").rglob("*.md"), ROOT / "README.md"])
@@ -38,6 +39,26 @@ def run_command(line: str) -> None:
         raise AssertionError(f"nobody runs {line!r}; write it as text, or teach this test")
 
 
+BEGINNING = """
+fps = 60
+duration = 3.0
+
+[[action]]
+name = "walk"
+motion = "sample:walk"
+
+"""
+"""What a piece of a cue sheet goes on from."""
+
+
+def save_cue_sheet(text: str, names: list[str]) -> None:
+    """Save a cue sheet under the first name that its page gives; read a piece of one at once."""
+    if names:
+        Path(names[0]).write_text(text, encoding="utf-8")
+    else:
+        parse_scenario(BEGINNING + text)
+
+
 def test_every_block_is_of_a_language_that_is_run_or_shown() -> None:
     languages = {language for page in PAGES for language, _ in blocks(page)}
     assert languages <= {"python", "sh", "toml"} | SHOWN
@@ -56,8 +77,7 @@ def test_every_block_runs(page: Path, tmp_path: Path, monkeypatch: pytest.Monkey
         if language == "python":
             exec(compile(text, f"{page.name}, block {number}", "exec"), names)
         elif language == "toml":
-            (name,) = re.findall(r"`(\w+\.toml)`", page.read_text(encoding="utf-8"))[:1]
-            Path(name).write_text(text, encoding="utf-8")
+            save_cue_sheet(text, re.findall(r"`(\w+\.toml)`", page.read_text(encoding="utf-8")))
         elif language == "sh":
             for line in text.splitlines():
                 run_command(line)

@@ -41,6 +41,7 @@ class AnyOrder(RuleBasedStateMachine):
         super().__init__()
         self.known: list[str] = []
         self.clock = 0.0
+        self.kept: tuple[dict[str, Any], float, int] | None = None
 
     @initialize(synchronized=st.sampled_from([True, True, True, False]), paper=st.booleans())
     def prepare(self, synchronized: bool, paper: bool) -> None:
@@ -121,6 +122,29 @@ class AnyOrder(RuleBasedStateMachine):
         weights = self.hero.crowd.characters[0]["weights"]
         assert (weights >= 0.0).all()
         np.testing.assert_allclose(weights.sum(axis=0), np.ones(len(BodyPart)), atol=1e-9)
+
+    @precondition(lambda self: self.known)
+    @rule(dt=STEPS)
+    def advance_go_back_and_advance_again(self, dt: float) -> None:
+        before = self.hero.crowd.snapshot()
+        first = self.hero.advance(dt).world_positions.tobytes()
+        self.hero.crowd.restore(before)
+        assert self.hero.advance(dt).world_positions.tobytes() == first
+        self.clock += dt
+
+    @precondition(lambda self: self.known)
+    @rule()
+    def keep_what_is_remembered(self) -> None:
+        self.kept = (self.hero.crowd.snapshot(), self.clock, len(self.known))
+
+    @precondition(lambda self: self.kept is not None)
+    @rule()
+    def go_back_to_what_was_kept(self) -> None:
+        assert self.kept is not None
+        remembered, clock, actions = self.kept
+        if actions == len(self.known):
+            self.hero.crowd.restore(remembered)
+            self.clock = clock
 
     @precondition(lambda self: self.known)
     @rule(dt=st.sampled_from([-1e-9, -1.0, float("nan"), float("inf")]))

@@ -22,9 +22,11 @@ hero = ff.Character(walk.skeleton)
 hero.add("walk", walk, supports)
 hero.add("run", *ff.sample("run"), priority=2.0)
 hero.start("walk")
-hero.advance(0.5)
+start = hero.advance(0.5).world_positions.copy()
 hero.start("run")
-print(hero.advance(0.5).world_positions.shape, ff.__file__)
+end = hero.advance(0.5).world_positions
+assert end[0, 2] > start[0, 2] + 0.3, (start[0], end[0])
+print(end.shape, ff.__file__)
 """
 
 pytestmark = pytest.mark.full
@@ -37,12 +39,27 @@ def runs(command: str) -> bool:
     return subprocess.run([command, "--version"], capture_output=True, check=False).returncode == 0
 
 
+def kept_by_pyenv(minor: int) -> list[str]:
+    """Return the interpreters of Python 3.`minor` that pyenv has put aside."""
+    if shutil.which("pyenv") is None:
+        return []
+    told = subprocess.run(
+        ["pyenv", "prefix", f"3.{minor}"], capture_output=True, text=True, check=False
+    )
+    return [f"{told.stdout.strip()}/bin/python"] if told.returncode == 0 else []
+
+
 def interpreters() -> list[str]:
     """Return the oldest and the newest supported Python of this machine."""
     oldest = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]["requires-python"]
     first = int(oldest.removeprefix(">=3."))
-    found = [name for minor in range(first, first + 8) if runs(name := f"python3.{minor}")]
-    return sorted({found[0], found[-1]}) if found else [sys.executable]
+    found = [
+        name
+        for minor in range(first, first + 8)
+        for name in [f"python3.{minor}", *kept_by_pyenv(minor)]
+        if runs(name)
+    ]
+    return list(dict.fromkeys([found[0], found[-1]])) if found else [sys.executable]
 
 
 @pytest.fixture(scope="module")
@@ -50,6 +67,29 @@ def built(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("dist")
     subprocess.run([sys.executable, "-m", "build", "--outdir", folder, ROOT], check=True)
     return folder
+
+
+def install(what: Path, python: str, home: Path) -> Path:
+    """Install an archive, and nothing else that was asked for, into a new environment."""
+    subprocess.run([python, "-m", "venv", home], check=True)
+    pip = [home / "bin" / "python", "-m", "pip", "install", "-q", "--disable-pip-version-check"]
+    subprocess.run([*pip, what], check=True)
+    return home
+
+
+def run_in(folder: Path, *command: Path | str) -> str:
+    """Run a command in an empty folder, without what this process says about Python."""
+    environment = {
+        name: value
+        for name, value in os.environ.items()
+        if not name.startswith(("PYTHON", "NUMBA", "XDG"))
+    }
+    environment["HOME"] = str(folder)
+    ran = subprocess.run(
+        command, capture_output=True, text=True, cwd=folder, env=environment, check=False
+    )
+    assert ran.returncode == 0, ran.stderr
+    return ran.stdout
 
 
 def archive(built: Path, pattern: str) -> Path:
@@ -84,28 +124,18 @@ def test_the_source_archive_has_what_a_packager_needs(built: Path) -> None:
 def test_the_first_program_runs_where_nothing_else_is(
     built: Path, python: str, kind: str, tmp_path: Path
 ) -> None:
-    home = tmp_path / "empty"
-    subprocess.run([python, "-m", "venv", home], check=True)
-    own = str(home / "bin" / "python")
-    subprocess.run(
-        [own, "-m", "pip", "install", "-q", "--disable-pip-version-check", archive(built, kind)],
-        check=True,
-    )
-    environment = {
-        name: value for name, value in os.environ.items() if not name.startswith("PYTHON")
-    }
-    told = subprocess.run(
-        [own, "-c", FIRST_PROGRAM],
-        check=True,
-        capture_output=True,
-        text=True,
-        cwd=tmp_path,
-        env=environment,
-    ).stdout
+    home = install(archive(built, kind), python, tmp_path / "empty")
+    # Nothing compiled by the checkout is used: the installed engine compiles itself, here.
+    told = run_in(tmp_path, home / "bin" / "python", "-c", FIRST_PROGRAM)
     assert told.startswith("(")
     assert str(home) in told
-    command = home / "bin" / "footfall"
-    shown = subprocess.run(
-        [command, "sync", "R D L D*"], check=True, capture_output=True, text=True, cwd=tmp_path
-    ).stdout
-    assert "R D L D" in shown
+    assert "R D L D" in run_in(tmp_path, home / "bin" / "footfall", "sync", "R D L D*")
+
+
+def test_the_demo_runs_from_the_installed_wheel_on_the_oldest_python(
+    built: Path, tmp_path: Path
+) -> None:
+    home = install(archive(built, "*.whl"), interpreters()[0], tmp_path / "empty")
+    run_in(tmp_path, home / "bin" / "footfall", "demo", "-o", "demo")
+    assert (tmp_path / "demo" / "index.html").stat().st_size > 0
+    assert (tmp_path / "demo" / "foot-traces.svg").read_text().startswith("<svg")

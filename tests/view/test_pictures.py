@@ -15,6 +15,7 @@ import pytest
 from tests import walking_figure
 from tests.view import walking_pictures
 
+from footfall.adaptation import Plane, Stairs, Terrain
 from footfall.errors import ArgumentError
 from footfall.view import ActionLane, LanePhase, Timeline, foot_traces_svg, strip_svg, timeline_svg
 from footfall.view.palette import SLIP, SUPPORT_COLORS
@@ -68,6 +69,19 @@ def test_only_transitions_are_red_in_the_strip() -> None:
     groups = re.findall(r'<g stroke-width="2.2"[^>]*>', svg)
     red = [SLIP in group for group in groups]
     assert red == [40 <= frame < 60 for frame in range(0, 100, 6)]
+
+
+def test_the_strip_shows_the_ground_that_is_walked_on() -> None:
+    stairs = Terrain((Plane(), Stairs((0.0, 0.0, 0.3), 2, rise=0.1, tread=0.4)))
+    take = [("walk", walking_pictures.trace(0.0))]
+    svg = strip_svg(take, walking_figure.skeleton().parents, ground=stairs)
+    (outline,) = re.findall(r'<polyline points="([^"]*)" fill="none" class="softpen"', svg)
+    heights = [float(point.split(",")[1]) for point in outline.split()]
+    # The level, a tread and the landing: two rises of the same height, upward.
+    often = [y for y in dict.fromkeys(heights) if heights.count(y) > 20]
+    assert len(often) == 3
+    assert often[0] - often[1] == pytest.approx(often[1] - often[2], abs=0.02)
+    assert often[0] > often[1]
 
 
 def test_figures_need_a_time_between_them() -> None:

@@ -30,6 +30,7 @@ from footfall.view import (
     timeline_svg,
     write_demo_page,
 )
+from footfall.warming import compiling_beside
 
 __all__ = ["demo", "take_page"]
 
@@ -59,7 +60,8 @@ def demo(
     if output.exists() and not output.is_dir():
         raise FileFormatError("it is a file; name a folder", path=output)
     scenario = sample_scenario() if motions is None else folder_scenario(motions)
-    comparison = compare(scenario)
+    with compiling_beside():
+        comparison = compare(scenario)
     output.mkdir(parents=True, exist_ok=True)
     _write(comparison, output)
     print(text_table(comparison.reports))

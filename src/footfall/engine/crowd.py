@@ -8,6 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from footfall.adaptation import AnyGround, Plane
+from footfall.adaptation.surfaces import Ground
 from footfall.arrays import Positions, Rotations, SmallFloats, Supports
 from footfall.engine.flight import Flight, flight_of
 from footfall.engine.library import MotionLibrary
@@ -23,6 +24,7 @@ from footfall.errors import ArgumentError, SkeletonError
 from footfall.octets import LANES
 from footfall.skeleton import Skeleton
 from footfall.skeleton.octet_poses import PLACEMENT
+from footfall.skeleton.rig import Rig
 from footfall.sync.tables import Planner, rules_of
 
 __all__ = ["Crowd"]
@@ -167,6 +169,16 @@ class Crowd(Standing, Reaching, Populating):
     def characters(self) -> npt.NDArray[Any]:
         """Everything the crowd remembers: records of `Character`, shape (rows,); a view."""
         return self._characters
+
+    @property
+    def rig(self) -> Rig:
+        """Their body as the kernels take it."""
+        return self._rig
+
+    @property
+    def packed_ground(self) -> Ground:
+        """What they stand on, as the kernels take it."""
+        return self._packed_ground
 
     @property
     def poses(self) -> SmallFloats:

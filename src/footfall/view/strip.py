@@ -6,10 +6,11 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from footfall.arrays import Indices
+from footfall.adaptation import AnyGround, ground_heights
+from footfall.arrays import Floats, Indices
 from footfall.errors import ArgumentError
 from footfall.report import RATE, Trace
-from footfall.view.palette import SLIP
+from footfall.view.palette import BODY, SLIP
 from footfall.view.stage import Stage
 from footfall.view.stick_figures import StickFigures
 from footfall.view.svg import Picture
@@ -27,7 +28,11 @@ SPACING = 32.0
 
 
 def strip_svg(
-    motions: Sequence[tuple[str, Trace]], parents: Indices, *, seconds: float | None = None
+    motions: Sequence[tuple[str, Trace]],
+    parents: Indices,
+    *,
+    seconds: float | None = None,
+    ground: AnyGround | None = None,
 ) -> str:
     """Draw motions from their right side, a figure every so often, transitions in red.
 
@@ -35,6 +40,8 @@ def strip_svg(
         motions: A title and a motion each; all of one body.
         parents: Index of each joint's parent, -1 for joint 0, shape (joints,).
         seconds: Time between two figures [s], > 0; None: so that they stand apart.
+        ground: What they go over, drawn as it lies under the middle of each way at time 0; None:
+            the level.
 
     Raises:
         ArgumentError: If `seconds` is not positive.
@@ -55,11 +62,38 @@ def strip_svg(
     for index, (title, trace) in enumerate(motions):
         base = 40.0 + (index + 1) * panel - 22.0
         picture.words(20, base - tallest * scale - 12, title, size=15, font_weight="600")
-        picture.line(MARGIN, base, WIDTH - MARGIN, base, class_="softpen", stroke_width=1.2)
+        if ground is None:
+            picture.line(MARGIN, base, WIDTH - MARGIN, base, class_="softpen", stroke_width=1.2)
+        else:
+            _draw_ground(picture, ground, trace, stage, (start, scale, base))
         figures = StickFigures(trace, parents, stage, (start, MARGIN, scale, base))
         for frame in range(0, figures.frames, max(1, round(seconds * RATE))):
             figures.draw(picture, frame)
     return picture.to_svg()
+
+
+def _draw_ground(
+    picture: Picture,
+    ground: AnyGround,
+    trace: Trace,
+    stage: Stage,
+    frame: tuple[float, float, float],
+) -> None:
+    """Draw the ground under the middle of a way.
+
+    `frame` is what lies at the left end [m], pixels per meter, and the y of height 0 [pixels].
+    """
+    start, scale, base = frame
+    x = np.arange(MARGIN, WIDTH - MARGIN + 0.5)
+    ahead, leftward = stage.ahead, np.array([stage.ahead[1], -stage.ahead[0]])
+    middle = float(stage.leftward(trace.positions[:, 0]).mean())
+    places: Floats = np.zeros((len(x), 3))
+    places[:, [0, 2]] = (start + (x - MARGIN) / scale)[:, np.newaxis] * ahead + middle * leftward
+    y = base - ground_heights(ground, places, np.zeros(len(x))) * scale
+    top = [(float(across), float(down)) for across, down in zip(x, y, strict=True)]
+    bottom = max(base, float(y.max())) + 14.0
+    picture.area([(top[0][0], bottom), *top, (top[-1][0], bottom)], fill=BODY, opacity=0.22)
+    picture.path(top, class_="softpen", stroke_width=1.6)
 
 
 def _apart(lasting: float, width: float) -> float:
