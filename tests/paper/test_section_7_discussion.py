@@ -151,7 +151,7 @@ def test_no_other_motion_is_ever_put_in_between() -> None:
     ("sequences", "counted"),
     [
         (CYCLES, 20_736),
-        ([ff.sample(name)[1] for name in sample_names()], 240),
+        ([ff.sample(name)[1] for name in sample_names()], 448),
     ],
     ids=["every strict cycle of up to four phases", "our samples"],
 )

@@ -8,7 +8,7 @@ import pytest
 
 from footfall.arrays import Flags, Floats, Positions, Rotations
 from footfall.errors import ArgumentError, UnknownNameError
-from footfall.geometry import conjugate, multiply, rotate
+from footfall.geometry import conjugate, from_yaw, multiply, rotate
 from footfall.motion import Clip
 from footfall.samples import sample, sample_names
 from footfall.samples.body import BALL_HEIGHT, HEEL_FROM_ANKLE, SHANK, THIGH
@@ -24,14 +24,19 @@ NAMES = (
     "hop-left",
     "side-step",
     "idle",
+    "walk-left",
+    "walk-right",
+    "run-left",
+    "run-right",
     "kick",
     "punch",
     "jump",
     "shot",
     "walk-to-hop",
 )
-CYCLIC = NAMES[:9]
-FLYING = ("run", "hop-right", "hop-left", "jump", "shot", "walk-to-hop")
+CYCLIC = NAMES[:13]
+CURVES = NAMES[9:13]
+FLYING = ("run", "run-left", "run-right", "hop-right", "hop-left", "jump", "shot", "walk-to-hop")
 RATES = (30.0, 120.0)
 SIDES = ("Left", "Right")
 
@@ -45,6 +50,10 @@ LETTERS = {
     "hop-left": "L -*",
     "side-step": "R D L D*",
     "idle": "D*",
+    "walk-left": "R D L D*",
+    "walk-right": "R D L D*",
+    "run-left": "R - L -*",
+    "run-right": "R - L -*",
     "kick": "D L D",
     "punch": "D",
     "jump": "D - D",
@@ -53,6 +62,11 @@ LETTERS = {
 }
 
 every = pytest.mark.parametrize(("name", "fps"), list(product(NAMES, RATES)))
+
+
+def turn_rate(name: str) -> float:
+    """How fast a sample turns to the left [rad/s]."""
+    return (0.65 if name.endswith("left") else -0.65) if name in CURVES else 0.0
 
 
 def letters(sequence: SupportSequence) -> str:
@@ -212,10 +226,26 @@ def test_the_pelvis_falls_freely_where_no_foot_carries(name: str) -> None:
     assert flights > 0
 
 
+@pytest.mark.parametrize("name", CURVES)
+def test_a_curve_goes_as_far_as_its_straight_gait_and_round_a_circle(name: str) -> None:
+    clip, _ = sample(name)
+    straight, _ = sample(name.split("-")[0])
+    assert clip.duration == straight.duration
+    rate = turn_rate(name)
+    way = straight.pelvis_positions[-1, 2] - straight.pelvis_positions[0, 2]
+    radius = way / (rate * clip.duration)
+    chord = np.linalg.norm((clip.pelvis_positions[-1] - clip.pelvis_positions[0])[[0, 2]])
+    # The pelvis leans into the curve, so it goes round a smaller circle than the way does.
+    inside = chord / (2.0 * abs(np.sin(0.5 * rate * clip.duration)))
+    assert abs(radius) - 0.15 < inside < abs(radius)
+
+
 @pytest.mark.parametrize("name", CYCLIC)
 def test_a_cycle_ends_on_its_first_pose_further_on(name: str) -> None:
     clip, _ = sample(name)
-    first, last = clip.local_rotations[0], clip.local_rotations[-1]
+    first, last = clip.local_rotations[0].copy(), clip.local_rotations[-1]
+    if name in CURVES:
+        first[0] = multiply(from_yaw(turn_rate(name) * clip.duration), first[0])
     assert np.abs(np.sum(first * last, axis=-1)) == pytest.approx(1.0, abs=1e-9)
     travel = clip.pelvis_positions[-1] - clip.pelvis_positions[0]
     assert abs(travel[1]) < 1e-9
@@ -266,6 +296,11 @@ def test_the_head_looks_ahead(name: str) -> None:
     clip, _ = sample(name)
     rotations, _ = world(clip)
     gaze = rotate(rotations[:, clip.skeleton.index("Head")], np.array([0.0, 0.0, 1.0]))
+    # A walk begins with the left toe-off, 0.62 of a cycle after the strike, a run with the right
+    # strike, half a cycle after it: so far has it turned by then.
+    since = (0.62 if name.startswith("walk") else 0.5) * clip.duration
+    ahead = turn_rate(name) * (since + np.arange(clip.frames) / clip.fps)
+    gaze = rotate(from_yaw(-ahead), gaze)
     assert gaze[:, 2].min() > np.cos(np.radians(18.0))
 
 

@@ -190,3 +190,31 @@ def test_a_character_shows_its_own_actions_and_body(tmp_path: Path, monkeypatch:
         assert [card.name for card in session.stage.cards] == ["my walk"]
         assert session.stage.cards[0].priority["legs"] == 2.0
         assert notices(session, {"do": "start", "name": "my walk"}) == []
+
+
+def test_a_gait_of_a_character_is_steered_and_replays(tmp_path: Path, monkeypatch: Any) -> None:
+    import numpy as np
+
+    import footfall as ff
+    from footfall.scenario.cue_sheet import load_scenario
+    from footfall.scenario.performance import perform
+
+    monkeypatch.chdir(tmp_path)
+    clips = [ff.sample(name) for name in ("walk", "run", "walk-left")]
+    hero = ff.Character(clips[0][0].skeleton)
+    hero.add_locomotion("go", clips, speed=2.0)
+    shown: Any = hero.show()
+    with shown:
+        session = shown.session
+        with session.lock:
+            assert notices(session, {"do": "start", "name": "go"}) == []
+            assert session.stage.pair()[0].gait("go")[0] == 2.0
+            assert notices(session, {"do": "steer", "name": "go", "speed": 3, "turn": 0.2}) == []
+            for _ in range(60):
+                session.stage.advance()
+            notices(session, {"do": "export", "form": "scenario", "name": "mine"})
+            positions = session.stage.performer.positions.copy()
+        session.jobs.wait()
+    assert {path.name for path in tmp_path.glob("*.npz")} >= {"go.npz", "go 2.npz", "go 3.npz"}
+    recording = perform(load_scenario(tmp_path / "mine.toml")).recording
+    np.testing.assert_array_equal(recording.world_positions[-1], positions)

@@ -56,6 +56,9 @@ class Action:
     parameters: tuple[float, float] = (0.0, 0.0)
     """That speed [m/s] and turn [rad/s]."""
 
+    gait: tuple[tuple[Clip, SupportSequence], ...] = ()
+    """The clips of `locomotion`, and what each stands on."""
+
     @property
     def duration(self) -> float:
         """From the first frame of `packed` to the last one [s]."""

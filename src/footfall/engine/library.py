@@ -123,9 +123,11 @@ class MotionLibrary(LibraryBody):
         begin = gaits.checked(speed, turn)
         mix = gaits.mix(*begin)
         resting = np.einsum("c,cfp->fp", mix.shares, [p.resting_heights for _, p in packs])
+        gait = tuple((clip, one[1]) for (clip, _), one in zip(packs, clips, strict=True))
         packed = packs[0][1]._replace(keys=mix.keys, roots=mix.roots, resting_heights=resting)
+        fades, first = (fade_in, fade_out), packs[0][0]
         self._actions.append(
-            Action(name, packs[0][0], mix.supports, values, fade_in, fade_out, packed, gaits, begin)
+            Action(name, first, mix.supports, values, *fades, packed, gaits, begin, gait)
         )
         return len(self._actions) - 1
 

@@ -6,6 +6,7 @@ from functools import lru_cache
 
 from footfall.errors import ArgumentError, UnknownNameError
 from footfall.motion import Clip
+from footfall.samples.bends import bent
 from footfall.samples.cycle import perform
 from footfall.samples.jump import JUMP
 from footfall.samples.kick import KICK
@@ -21,7 +22,18 @@ __all__ = ["sample", "sample_names"]
 
 _LOWEST_RATE = 10.0
 
-_GAITS = {**WALKS, **OTHER_GAITS}
+_STRAIGHT = {**WALKS, **OTHER_GAITS}
+
+_TURN_RATE = 0.65
+"""Of the gaits in a curve [rad/s]: a walk goes round a circle of 2 m, a run round one of 5 m."""
+
+_CURVES = {
+    f"{name}-{side}": bent(_STRAIGHT[name], sign * _TURN_RATE * _STRAIGHT[name].duration)
+    for name in ("walk", "run")
+    for side, sign in (("left", 1.0), ("right", -1.0))
+}
+
+_GAITS = {**_STRAIGHT, **_CURVES}
 
 _SCORES = {"kick": KICK, "punch": PUNCH, "jump": JUMP, "shot": SHOT, "walk-to-hop": WALK_TO_HOP}
 

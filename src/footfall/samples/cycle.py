@@ -16,6 +16,7 @@ import numpy as np
 from footfall.arrays import Floats, Positions, Seconds
 from footfall.geometry import rotate
 from footfall.motion import Clip
+from footfall.samples.bends import along_arc, headings_at
 from footfall.samples.body import SHANK, THIGH
 from footfall.samples.curves import GRAVITY, ballistic_speeds, quintic
 from footfall.samples.footsteps import FootPath, Stance, Swing, foot_path
@@ -85,6 +86,9 @@ def _performance(gait: Gait, phases: Floats) -> Performance:
         ],
         axis=-1,
     )
+    headings = headings_at(gait, positions[:, 2])
+    angles[:, 0] += headings
+    positions = along_arc(gait, positions)
     heights = _heights(gait, phases)
     feet = tuple(
         _stepping(gait, leg, phases, sign) if isinstance(leg, LegCycle) else None
@@ -97,6 +101,8 @@ def _performance(gait: Gait, phases: Floats) -> Performance:
         for foot, leg, sign in zip(feet, (gait.left, gait.right), (1.0, -1.0), strict=True)
     )
     chest, head, arms = _upper_body(gait.upper, phases)
+    chest[:, 0] += headings
+    head[:, 0] += headings
     return Performance(positions, angles, chest, head, arms, (left, right))
 
 
@@ -117,11 +123,12 @@ def _stepping(gait: Gait, leg: LegCycle, phases: Floats, sign: float) -> FootPat
 
     def stance(cycle: int) -> Stance:
         strike = leg.strike + cycle
+        x, z = (go * strike + ball for go, ball in zip(gait.travel, leg.ball, strict=True))
         return Stance(
             strike * gait.duration,
             strike * gait.duration + stance_seconds,
-            (gait.travel[0] * strike + leg.ball[0], gait.travel[1] * strike + leg.ball[1]),
-            heading=sign * math.radians(leg.toe_out),
+            _bent(gait, x, z),
+            heading=sign * math.radians(leg.toe_out) + float(headings_at(gait, np.array(z))),
             strike_pitch=math.radians(leg.strike_pitch),
             leave_pitch=math.radians(leg.leave_pitch),
             flat=leg.flat * stance_seconds,
@@ -131,16 +138,23 @@ def _stepping(gait: Gait, leg: LegCycle, phases: Floats, sign: float) -> FootPat
     pitch = tuple((share, math.radians(degrees)) for share, degrees in leg.pitch)
     times: Seconds = phases * gait.duration
     stances = [stance(cycle) for cycle in range(-2, 4)]
-    swings = [
-        Swing(leg.clearance, pitch, tuple(_waypoint(one, share, gait) for share in leg.progress))
-        for one in stances[:-1]
-    ]
+    swings = [Swing(leg.clearance, pitch, _waypoints(gait, leg, cycle)) for cycle in range(-2, 3)]
     return foot_path(times, stances, swings)
 
 
-def _waypoint(stance: Stance, share: tuple[float, float], gait: Gait) -> tuple[float, float, float]:
-    x, z = (ball + share[1] * travel for ball, travel in zip(stance.ball, gait.travel, strict=True))
-    return share[0], x, z
+def _waypoints(gait: Gait, leg: LegCycle, cycle: int) -> tuple[tuple[float, float, float], ...]:
+    """Return the places that a foot passes after the stance of a cycle, as of `Swing.path`."""
+    found: list[tuple[float, float, float]] = []
+    for share, way in leg.progress:
+        gone = leg.strike + cycle + way
+        x, z = (go * gone + ball for go, ball in zip(gait.travel, leg.ball, strict=True))
+        found.append((share, *_bent(gait, x, z)))
+    return tuple(found)
+
+
+def _bent(gait: Gait, x: float, z: float) -> tuple[float, float]:
+    place = along_arc(gait, np.array([x, 0.0, z]))
+    return float(place[0]), float(place[2])
 
 
 def _hanging(leg: LegCycle | FreeLeg, phases: Floats, pelvis: Positions, sign: float) -> FootPath:

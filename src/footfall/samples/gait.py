@@ -130,3 +130,6 @@ class Gait:
 
     backward: bool = False
     """Whether it is played from its end to its beginning."""
+
+    turn: float = 0.0
+    """How far it turns to the left in a cycle, on an arc that is as long as its travel [rad]."""

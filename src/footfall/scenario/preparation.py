@@ -63,8 +63,8 @@ def prepare_character(
     return character, ground
 
 
-def add_action(character: Character, entry: ActionEntry, motion: Motion) -> None:
-    """Let a character know one more action of a scenario; errors as of `Character.add`."""
+def add_action(character: Character | MotionLibrary, entry: ActionEntry, motion: Motion) -> None:
+    """Let a character, or a library, know one more action; errors as of `Character.add`."""
     if motion.others:
         character.add_locomotion(
             entry.name,

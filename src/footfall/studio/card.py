@@ -27,6 +27,9 @@ class Card:
     fades: tuple[float, float]
     """How long a start and a stop take [s]."""
 
+    gait: tuple[float, float] | None = field(default=None)
+    """The speed [m/s] and the turn [rad/s] asked for by hand; None: as it comes."""
+
     reason: str = field(default="")
     """Why its start waits."""
 

@@ -101,8 +101,9 @@ class StudioClock:
         self._owed += passed * session.speed * rate
         # Real time and its pictures drift apart by less than a frame: then one each is smoothest.
         if session.speed == 1.0 and rate * FRAME == 1.0 and abs(self._owed - 1.0) < 0.6:
-            self._owed = max(min(self._owed - 1.0, 0.5), -0.5) * 0.9 + 1.0
-        whole = int(self._owed)
+            self._owed = 0.9 * max(min(self._owed - 1.0, 0.5), -0.5)
+            return 1
+        whole = max(int(self._owed), 0)
         self._owed -= whole
         return min(whole, int(MOST_BEHIND * rate))
 

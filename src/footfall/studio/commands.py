@@ -6,12 +6,14 @@ from collections.abc import Callable
 from typing import Any
 
 from footfall.errors import ArgumentError, FootfallError
+from footfall.scenario.cue_sheet import FASTEST_GAIT
 from footfall.studio.bodies import GROUNDS, HIGHEST, LOWEST, STEEPEST
 from footfall.studio.card import PARTS, Card, by_part
 from footfall.studio.crowd_stage import GROUP_NAMES
 from footfall.studio.dressing import choose_body
 from footfall.studio.editor import SupportEditor
 from footfall.studio.exports import export
+from footfall.studio.gaits import load_own_gait
 from footfall.studio.loading import load, load_from_page, set_option
 from footfall.studio.news import news
 from footfall.studio.replay import open_scenario
@@ -84,6 +86,11 @@ def _speed(session: Session, said: Said) -> None:
 def _fades(session: Session, said: Said) -> None:
     fade_in, fade_out = (said.number(key, 0.0, LONGEST_FADE) for key in ("fadeIn", "fadeOut"))
     session.stage.set_fades(_card(session, said), fade_in, fade_out)
+
+
+def _steer(session: Session, said: Said) -> None:
+    speed, turn = (said.number(key, -FASTEST_GAIT, FASTEST_GAIT) for key in ("speed", "turn"))
+    session.stage.steer(_card(session, said), speed, turn)
 
 
 def _lift(session: Session, said: Said) -> None:
@@ -169,6 +176,8 @@ COMMANDS: dict[str, Command] = {
     "toggle": lambda session, said: session.stage.toggle(_card(session, said)),
     "priority": _priority,
     "fades": _fades,
+    "steer": _steer,
+    "gait": lambda session, _: load_own_gait(session),
     "news": lambda _session, _said: None,
     "pause": _set("paused"),
     "ghost": _set("ghost"),
@@ -214,5 +223,7 @@ EDITS = frozenset(
 )  # fmt: skip
 """Those that change what the editor shows, and nothing else."""
 
-QUIET = frozenset({"seek", "crowd-start", "crowd-stop", "cancel", "load", "load-all"})
+QUIET = frozenset(
+    {"seek", "steer", "crowd-start", "crowd-stop", "cancel", "load", "load-all", "gait"}
+)
 """Those after which nothing else is to be told."""

@@ -8,6 +8,7 @@ from footfall.arrays import Floats, Indices, Positions, Rotations
 from footfall.engine import Crowd, MotionLibrary
 from footfall.scenario.cue_sheet import ActionEntry
 from footfall.scenario.motions import Motion
+from footfall.scenario.preparation import add_action
 from footfall.skeleton import Anatomy, Skeleton, find_anatomy
 
 __all__ = ["GROUP_NAMES", "CrowdStage"]
@@ -23,7 +24,8 @@ RATE = 30.0
 
 PALETTE = np.array(
     [[120, 134, 150], [59, 143, 208], [230, 145, 42], [53, 164, 122], [155, 110, 190],
-     [214, 93, 120], [90, 170, 180], [178, 150, 60], [110, 120, 200]], dtype=np.float64,
+     [214, 93, 120], [90, 170, 180], [178, 150, 60], [110, 120, 200],
+     [141, 110, 85]], dtype=np.float64,
 )  # fmt: skip
 """Of nothing, and of each action in turn."""
 
@@ -44,14 +46,7 @@ class CrowdStage:
         """
         library = MotionLibrary()
         for entry, motion in zip(entries, motions, strict=True):
-            library.add(
-                entry.name,
-                motion.clip,
-                motion.supports,
-                priority=entry.priority,
-                fade_in=entry.fade_in,
-                fade_out=entry.fade_out,
-            )
+            add_action(library, entry, motion)
         self.names = tuple(entry.name for entry in entries)
         self.size = size
         self._crowd = Crowd(library, size)

@@ -85,8 +85,10 @@ def export(session: Session, form: str, name: str) -> None:
 def _keep_motions(folder: WorkFolder, scenario: Scenario, motions: tuple[Motion, ...]) -> None:
     """Write the motions that are in no file: those of a character that a program showed."""
     for entry, motion in zip(scenario.actions, motions, strict=True):
-        if not entry.motion.startswith(SAMPLE) and not (folder.root / entry.motion).exists():
-            save_native(motion.clip, folder.place(entry.motion), supports=motion.supports)
+        names = (entry.motion, *entry.others)
+        for name, one in zip(names, (motion, *motion.others), strict=True):
+            if not name.startswith(SAMPLE) and not (folder.root / name).exists():
+                save_native(one.clip, folder.place(name), supports=one.supports)
 
 
 def _save(

@@ -12,6 +12,7 @@ from typing import Any
 from footfall.studio.clock import StudioClock
 from footfall.studio.commands import handle
 from footfall.studio.exports import PageWriter
+from footfall.studio.gaits import GAIT_SAMPLES, load_gait
 from footfall.studio.loading import load
 from footfall.studio.memory import release_memory
 from footfall.studio.motion_list import DEFAULT_SAMPLES, LoadedMotion
@@ -73,6 +74,8 @@ class Studio:
             self.session.take_in(motion)
         if files or not motions:
             load(self.session, list(files) or [f"sample:{name}" for name in DEFAULT_SAMPLES])
+        if not files and not motions:
+            load_gait(self.session, "go", GAIT_SAMPLES)
 
     @property
     def port(self) -> int:

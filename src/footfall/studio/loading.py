@@ -11,7 +11,7 @@ from footfall.studio.jobs import Job
 from footfall.studio.motion_list import LoadedMotion, MotionList
 from footfall.studio.session import Session
 
-__all__ = ["OPTIONS", "load", "load_from_page", "set_option"]
+__all__ = ["OPTIONS", "fit_beside", "load", "load_from_page", "set_option"]
 
 OPTIONS = ("cyclic", "clean", "mirror")
 """How a motion may be read."""
@@ -26,7 +26,7 @@ def load(session: Session, files: Sequence[str | Path]) -> None:
             job.report(number / len(files), str(file))
             try:
                 loaded = session.motions.resolve(file)
-                _fit(session, loaded)
+                fit_beside(session, loaded)
                 job.report((number + 1) / len(files), str(file))
             except FootfallError as error:
                 session.notice(str(error), "error")
@@ -61,7 +61,7 @@ def set_option(session: Session, name: str, option: str, on: bool) -> None:
         job.report(0.1)
         # Supports that were corrected by hand belong to the motion as it was.
         loaded = session.motions.reload(name, **{option: on, "supports": None})
-        _fit(session, loaded)
+        fit_beside(session, loaded)
         job.report(1.0)
         with session.lock:
             session.motions.keep(loaded)
@@ -70,7 +70,7 @@ def set_option(session: Session, name: str, option: str, on: bool) -> None:
     session.jobs.begin(f"reading {name} again", work)
 
 
-def _fit(session: Session, loaded: LoadedMotion) -> None:
+def fit_beside(session: Session, loaded: LoadedMotion) -> None:
     """Make what the body performs of a motion now, so that the live session need not wait."""
     with session.lock:
         others = MotionList(session.folder, session.motions)

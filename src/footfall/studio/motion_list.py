@@ -93,11 +93,27 @@ class MotionList:
             loaded: The motion.
             shown: As the body performs the first motion, if this is not the first one.
         """
-        body = self.body
-        if body is None:
-            first = self.motions[0] if self.motions else loaded
-            body = first.motion.clip.skeleton
-        return self._fitting.clip(loaded.motion, body, shown)
+        begin = (loaded.entry.speed, loaded.entry.turn)
+        return self._fitting.clip(loaded.motion, self._body(loaded), shown, begin)
+
+    def _body(self, loaded: LoadedMotion) -> Skeleton:
+        first = self.motions[0] if self.motions else loaded
+        return self.body or first.motion.clip.skeleton
+
+    def whole(self, loaded: LoadedMotion) -> Motion:
+        """Return a motion of `performed`, the others of a gait as the body performs them."""
+        if not loaded.motion.others:
+            return loaded.motion
+        first, shown = self.performed[0]
+        fitted = [
+            (
+                other,
+                self._fitting.clip(other, self._body(loaded), None if first is loaded else shown),
+            )
+            for other in loaded.motion.others
+        ]
+        others = [replace(other, clip=clip) for other, clip in fitted if not isinstance(clip, str)]
+        return replace(loaded.motion, others=tuple(others))
 
     def prepare(self, loaded: LoadedMotion) -> None:
         """Fit a motion that is not in the list yet.
@@ -134,7 +150,21 @@ class MotionList:
         Raises:
             FootfallError: If it cannot be used.
         """
-        return self._resolved(self._entry(str(file)))
+        return self.resolve_entry(self._entry(str(file)))
+
+    def resolve_entry(self, entry: ActionEntry) -> LoadedMotion:
+        """Load what an entry asks for, without putting it into the list.
+
+        Raises:
+            FootfallError: If it cannot be used.
+        """
+        try:
+            motion = resolve_motion(entry, self.sheet())
+        except FootfallError as error:
+            message = str(error)
+            prefix = f"{self.folder.root / SHEET}: action {entry.name!r}: "
+            raise ScenarioError(message.removeprefix(prefix)) from error
+        return LoadedMotion(entry, motion)
 
     def reload(self, name: str, **changes: object) -> LoadedMotion:
         """Load a motion again, with some fields of its entry changed, without keeping it.
@@ -144,7 +174,7 @@ class MotionList:
         """
         old = self.find(name)
         assert old is not None
-        return self._resolved(replace(old.entry, **changes))  # pyright: ignore[reportArgumentType]
+        return self.resolve_entry(replace(old.entry, **changes))  # pyright: ignore[reportArgumentType]
 
     def remove(self, name: str) -> None:
         """Forget a motion."""
@@ -181,15 +211,6 @@ class MotionList:
             count += 1
             name = f"{stem} {count}"
         return name
-
-    def _resolved(self, entry: ActionEntry) -> LoadedMotion:
-        try:
-            motion = resolve_motion(entry, self.sheet())
-        except FootfallError as error:
-            message = str(error)
-            prefix = f"{self.folder.root / SHEET}: action {entry.name!r}: "
-            raise ScenarioError(message.removeprefix(prefix)) from error
-        return LoadedMotion(entry, motion)
 
     def keep(self, loaded: LoadedMotion) -> None:
         """Put a motion at the end, or in the place of one of the same name."""

@@ -43,13 +43,14 @@ def state_json(session: Session) -> Json:
         "ghost": session.ghost,
         "recording": session.stage.begun,
         "cards": [
-            card_json(card, loaded[card.name].motion.supports) for card in session.stage.cards
+            card_json(card, loaded[card.name], session.stage) for card in session.stage.cards
         ],
         "motions": [
             {
                 "name": one.name,
                 "motion": one.entry.motion,
                 "mixes": one.name in family,
+                "gait": bool(one.motion.others),
                 "duration": round(one.motion.clip.duration, 3),
                 "cyclic": one.motion.clip.cyclic,
                 "clean": one.entry.clean,

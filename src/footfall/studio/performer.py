@@ -8,6 +8,7 @@ hand comes out of the scenario file bit for bit.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from typing import Literal
 
 import numpy as np
 
@@ -15,6 +16,7 @@ from footfall.adaptation import AnyGround, ground_heights
 from footfall.arrays import Floats, Positions, Rotations
 from footfall.engine import Waiting
 from footfall.engine.inspection import ActionState, PlannedSlot, action_states, planned_slots
+from footfall.errors import ArgumentError
 from footfall.geometry import rotate
 from footfall.motion import Clip, with_soles
 from footfall.scenario.cue_sheet import ActionEntry, Scenario
@@ -138,6 +140,35 @@ class Performer:
     def set_priority(self, name: str, priority: Priority) -> None:
         """Change the priority of an action that runs or waits."""
         self._character.set_priority(name, priority)
+
+    def gait(self, name: str) -> tuple[float, float]:
+        """Return the speed [m/s] and the turn [rad/s] of an action by now; 0 if it has none."""
+        return self._character.parameters_of(name)
+
+    def reach(self, name: str) -> tuple[tuple[float, float], tuple[float, float]] | None:
+        """Return from where to where speed [m/s] and turn [rad/s] go; None: it is one motion."""
+        library = self._character.library
+        gaits = library.actions[library.index(name)].locomotion
+        if gaits is None:
+            return None
+        spans = [(float(one.min()), float(one.max())) for one in (gaits.speeds, gaits.turns)]
+        return spans[0], spans[1]
+
+    def check_gait(self, name: str, speed: float, turn: float) -> None:
+        """Refuse a speed [m/s] and a turn [rad/s] that an action does not reach.
+
+        Raises:
+            ArgumentError: If it does not, or is one motion.
+        """
+        library = self._character.library
+        gaits = library.actions[library.index(name)].locomotion
+        if gaits is None:
+            raise ArgumentError(f"{name!r} is one motion; only a gait of several is steered")
+        gaits.checked(speed, turn)
+
+    def steer(self, name: str, kind: Literal["speed", "turn"], value: float) -> None:
+        """Ask a gait for another speed [m/s] or turn [rad/s]."""
+        self._character.set_parameters(name, **{kind: value})
 
     def is_active(self, name: str) -> bool:
         """Whether an action runs, fades or waits."""

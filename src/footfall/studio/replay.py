@@ -19,6 +19,10 @@ if TYPE_CHECKING:
 __all__ = ["due_cues", "frame_cues", "obey_cue", "open_scenario"]
 
 
+BEFORE_START = ("ground", "speed", "turn")
+"""Cues that have an effect before anything was started."""
+
+
 def open_scenario(session: Session, name: str) -> None:
     """Open a scenario of the folder, and let it be played on the stage.
 
@@ -61,7 +65,7 @@ def frame_cues(scenario: Scenario) -> list[Cue]:
     """Return the cues of a scenario, those without effect before the first start left out."""
     cues = list(scenario.cues)
     first = next((i for i, cue in enumerate(cues) if cue.kind == "start"), len(cues))
-    return [cue for i, cue in enumerate(cues) if i >= first or cue.kind == "ground"]
+    return [cue for i, cue in enumerate(cues) if i >= first or cue.kind in BEFORE_START]
 
 
 def due_cues(script: list[Cue], clock: float, begun: bool) -> list[Cue]:
@@ -85,5 +89,9 @@ def obey_cue(stage: Stage, cue: Cue) -> None:
         stage.start(card)
     elif cue.kind == "stop":
         stage.stop(card)
+    elif cue.kind in ("speed", "turn"):
+        asked = stage.gait(card)
+        asked[cue.kind] = cue.parameter
+        stage.steer(card, **asked)
     elif cue.priority is not None:
         stage.set_priority(card, by_part(cue.priority))

@@ -35,7 +35,10 @@ class Said:
 
     def count(self, key: str, least: int, greatest: int) -> int:
         """Return a whole number."""
-        return int(self.number(key, least, greatest))
+        number = self.number(key, least, greatest)
+        if not number.is_integer():
+            raise ArgumentError(f"{key} is {number}; a whole number from {least} to {greatest}")
+        return int(number)
 
     def flag(self, key: str) -> bool:
         """Return true or false."""

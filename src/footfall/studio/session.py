@@ -8,12 +8,12 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Callable
+from dataclasses import replace
 from typing import Any
 
 from footfall.errors import ArgumentError
 from footfall.io import SkinnedBody
 from footfall.scenario.cue_sheet import Cue, Scenario
-from footfall.scenario.motions import Motion
 from footfall.studio.bodies import Body, Wardrobe
 from footfall.studio.crowd_stage import CrowdStage
 from footfall.studio.editor import SupportEditor
@@ -87,6 +87,8 @@ class Session:
         loaded = self.motions.find(name)
         if loaded is None:
             raise ArgumentError(f"no motion {name!r} to edit")
+        if loaded.motion.others:
+            raise ArgumentError(f"{name!r} is a gait of several motions; edit those")
         motion = loaded.motion
         file = self.motions.supports_file(loaded.entry)
         self.editor = SupportEditor(name, motion.clip, motion.supports, file, self.folder)
@@ -141,8 +143,9 @@ class Session:
         if view not in VIEWS:
             raise ArgumentError(f"no view {view!r}; there are: {', '.join(VIEWS)}")
         self.view = view
-        if view == "supports" and self.editor is None and self.motions.motions:
-            self.select(self.motions.motions[0].name)
+        single = [one.name for one in self.motions.motions if not one.motion.others]
+        if view == "supports" and self.editor is None and single:
+            self.select(single[0])
         if view == "crowd" and self.crowd is None:
             self.gather()
         self.body_count += 1
@@ -155,8 +158,9 @@ class Session:
         def work(job: Job) -> None:
             with self.lock:
                 performed = self.motions.performed
+                whole = [(self.motions.whole(one), clip) for one, clip in performed]
             entries = [one.entry for one, _ in performed]
-            motions = tuple(Motion(clip, one.motion.supports) for one, clip in performed)
+            motions = tuple(replace(motion, clip=clip) for motion, clip in whole)
             crowd = CrowdStage(entries, motions, self.crowd_size)
             job.report(1.0)
             with self.lock:

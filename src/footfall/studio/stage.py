@@ -2,32 +2,32 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import replace
 from typing import Literal
 
 from footfall.motion import Clip
 from footfall.scenario.cue_sheet import ActionEntry, Cue, Scenario
-from footfall.scenario.ground_change import GroundChange, GroundKind
+from footfall.scenario.ground_change import GroundChange
 from footfall.scenario.motions import Motion
 from footfall.scenario.moving_ground import MovingGround
 from footfall.skeleton import Skeleton
 from footfall.studio.card import Card, by_part
 from footfall.studio.motion_list import LoadedMotion, MotionList
 from footfall.studio.performer import Performer
+from footfall.studio.stage_gaits import StageGaits
+from footfall.studio.stage_ground import StageGround
 from footfall.studio.take import Take
 
 __all__ = ["Stage"]
 
 
-class Stage:
+class Stage(StageGaits, StageGround):
     """One character that is steered by hand, over and over from the beginning of a take."""
 
     def __init__(self, motions: MotionList) -> None:
         """Prepare a take with all motions of the list that mix."""
         self._list = motions
         self.asked = GroundChange()
-        """How the ground is to be."""
         self.cards: list[Card] = []
         self.restart()
 
@@ -35,7 +35,7 @@ class Stage:
         """Begin a new take: the character stands where the first motion begins."""
         performed = self._list.performed
         self._entries = [one.entry for one, _ in performed]
-        self._motions = [one.motion for one, _ in performed]
+        self._motions = [self._list.whole(one) for one, _ in performed]
         self._clips = [clip for _, clip in performed]
         known = {card.name: card for card in self.cards}
         self.cards = [self._card(one, known.get(one.name)) for one, _ in performed]
@@ -45,22 +45,23 @@ class Stage:
         ]
         self.take = Take(replace(self._list.sheet(), actions=tuple(self._entries)))
         self.begun = False
+        self._asked_gaits: dict[str, tuple[float, float]] = {}
         self.performer: Performer | None = None
         self.ghost: Performer | None = None
         self.ground = MovingGround(0.0)
         if self._motions:
             self._prepare(0)
+            self._keep_in_reach()
             self.ground.ask(self.asked, self.pair()[0].root)
             for one in self.pair():
                 one.stand()
 
     def _card(self, loaded: LoadedMotion, old: Card | None) -> Card:
-        if old is not None:
-            return Card(loaded.name, loaded.name, old.priority, old.fades)
         entry = loaded.entry
-        return Card(
-            loaded.name, loaded.name, by_part(entry.priority), (entry.fade_in, entry.fade_out)
-        )
+        if old is not None:
+            return replace(old, action=loaded.name, reason="")
+        fades = (entry.fade_in, entry.fade_out)
+        return Card(loaded.name, loaded.name, by_part(entry.priority), fades)
 
     def _begin(self, leading: int) -> None:
         """Begin the take: a ground that was raised before rises again, as a scenario can say it."""
@@ -84,7 +85,7 @@ class Stage:
         """Let one more motion be performed, while the take goes on."""
         clip = self._list.fit(loaded, self._clips[0])
         assert not isinstance(clip, str)
-        self._append(loaded.entry, loaded.motion, clip)
+        self._append(loaded.entry, self._list.whole(loaded), clip)
         self.cards.append(self._card(loaded, None))
 
     def card(self, name: str) -> Card | None:
@@ -95,6 +96,7 @@ class Stage:
         """Start an action, or let it wait; the first start begins the take."""
         if not self.begun:
             self._begin(self._index(card.action))
+        self._tell_gait(card)
         performer, ghost = self.pair()
         card.reason = performer.start(card.action)
         ghost.start(card.action)
@@ -135,39 +137,15 @@ class Stage:
         # A scenario says fades once an action: another fade is another action of this motion.
         index = self._index(card.action)
         wanted = {"fade_in": fade_in, "fade_out": fade_out}
-        for entry in self._entries:
-            same = entry.motion == self._entries[index].motion
-            if same and (entry.fade_in, entry.fade_out) == card.fades:
+        alike = [one for one in self._entries if _source(one) == _source(self._entries[index])]
+        for entry in alike:
+            if (entry.fade_in, entry.fade_out) == card.fades:
                 card.action = entry.name
                 return
-        count = sum(1 for entry in self._entries if entry.motion == self._entries[index].motion)
+        count = len(alike)
         entry = replace(self._entries[index], name=f"{card.name} fade {count + 1}", **wanted)
         self._append(entry, self._motions[index], self._clips[index])
         card.action = entry.name
-
-    def lift_to(self, height: float) -> None:
-        """Let the ground rise or sink to so far above where the first motion had it [m]."""
-        self.ask(replace(self.asked, height=height))
-
-    def tilt_to(self, ahead: float, aside: float) -> None:
-        """Let the ground rise ahead of the character, and to its left [1], about its place."""
-        heading = self.pair()[0].root[2]
-        sine, cosine = math.sin(heading), math.cos(heading)
-        slope = (sine * ahead + cosine * aside, cosine * ahead - sine * aside)
-        self.ask(replace(self.asked, slope=slope))
-
-    def put(self, kind: GroundKind) -> None:
-        """Put something else on the ground, ahead of the character."""
-        self.ask(replace(self.asked, kind=kind))
-
-    def ask(self, change: GroundChange) -> None:
-        """Let the ground become something else."""
-        self.asked = change
-        if self.performer is None:
-            return
-        self.ground.ask(change, self.performer.root)
-        if self.begun:
-            self.take = self.take.with_cue(Cue(self.performer.clock, "ground", ground=change))
 
     def advance(self) -> None:
         """Let one frame pass, once the take has begun; the ground moves towards its height."""
@@ -194,8 +172,8 @@ class Stage:
 
     def motion_name(self, action: int) -> str:
         """Return the motion of an action of the scenario."""
-        motion = self._entries[action].motion
-        return next(one.name for one in self._list.family if one.entry.motion == motion)
+        source = _source(self._entries[action])
+        return next(one.name for one in self._list.family if _source(one.entry) == source)
 
     def scenario(self) -> Scenario:
         """Return the take so far as a scenario."""
@@ -207,7 +185,7 @@ class Stage:
         self._motions.append(motion)
         self._clips.append(clip)
         for one in self.pair():
-            one.add(entry, Motion(clip, motion.supports))
+            one.add(entry, replace(motion, clip=clip))
         self.take = Take(replace(self.take.scenario, actions=tuple(self._entries)))
 
     def pair(self) -> tuple[Performer, Performer]:
@@ -237,14 +215,11 @@ class Stage:
         return self._list.body
 
     @property
-    def tilt(self) -> tuple[float, float]:
-        """How the ground rises ahead of the character, and to its left [1]."""
-        x, z = self.ground.slope
-        heading = 0.0 if self.performer is None else self.performer.root[2]
-        sine, cosine = math.sin(heading), math.cos(heading)
-        return x * sine + z * cosine, x * cosine - z * sine
-
-    @property
     def motions(self) -> tuple[Motion, ...]:
         """The motion of each action of the scenario."""
         return tuple(self._motions)
+
+
+def _source(entry: ActionEntry) -> tuple[str, ...]:
+    """Return what an action performs, by whatever name and with whatever fades."""
+    return entry.motion, *entry.others

@@ -47,6 +47,8 @@ def scenario_text(scenario: Scenario) -> str:
         elif cue.kind == "priority":
             assert cue.priority is not None
             lines.append(f"priority = {{ {_quoted(cue.action)} = {_priority(cue.priority)} }}")
+        elif cue.kind in ("speed", "turn"):
+            lines.append(f"{cue.kind} = {{ {_quoted(cue.action)} = {cue.parameter!r} }}")
         else:
             lines.append(f"{cue.kind} = {_quoted(cue.action)}")
     return "\n".join(lines) + "\n"
@@ -55,11 +57,14 @@ def scenario_text(scenario: Scenario) -> str:
 def _action_lines(entry: ActionEntry) -> list[str]:
     lines = [
         f"name = {_quoted(entry.name)}",
-        f"motion = {_quoted(entry.motion)}",
+        _motion_line(entry),
         f"priority = {_priority(entry.priority)}",
         f"fade_in = {entry.fade_in!r}",
         f"fade_out = {entry.fade_out!r}",
     ]
+    for key, value in (("speed", entry.speed), ("turn", entry.turn)):
+        if value is not None:
+            lines.append(f"{key} = {value!r}")
     if entry.cyclic is not None:
         lines.append(f"cyclic = {str(entry.cyclic).lower()}")
     if entry.supports is not None:
@@ -68,6 +73,12 @@ def _action_lines(entry: ActionEntry) -> list[str]:
     if entry.crop is not None:
         lines.append(f"crop = [{entry.crop[0]!r}, {entry.crop[1]!r}]")
     return lines
+
+
+def _motion_line(entry: ActionEntry) -> str:
+    if not entry.others:
+        return f"motion = {_quoted(entry.motion)}"
+    return f"motions = [{', '.join(map(_quoted, (entry.motion, *entry.others)))}]"
 
 
 def _ground(change: GroundChange) -> str:

@@ -8,12 +8,14 @@ import numpy as np
 
 from footfall.detection import Interval
 from footfall.engine.inspection import ActionState
+from footfall.scenario.motions import SAMPLE
 from footfall.studio.bands import Bands
 from footfall.studio.card import Card
 from footfall.studio.editor import SupportEditor
+from footfall.studio.motion_list import LoadedMotion
 from footfall.studio.performer import Performer
 from footfall.studio.stage import Stage
-from footfall.support import Support, SupportSequence
+from footfall.support import Support
 
 __all__ = ["bands_json", "card_json", "clip_json", "edit_json", "symbol", "tick_json"]
 
@@ -23,16 +25,25 @@ HELD_RATE = 0.9
 Json = dict[str, Any]
 
 
-def card_json(card: Card, supports: SupportSequence) -> Json:
+def card_json(card: Card, loaded: LoadedMotion, stage: Stage) -> Json:
     """Return a card's settings."""
+    supports, others = loaded.motion.supports, loaded.entry.others
+    names = [name.removeprefix(SAMPLE) for name in (loaded.entry.motion, *others)]
     return {
         "name": card.name,
         "priority": card.priority,
         "fadeIn": card.fades[0],
         "fadeOut": card.fades[1],
-        "supports": str(supports),
+        "supports": ", ".join(names) if others else str(supports),
         "cyclic": supports.cyclic,
+        "gait": _gait(card, stage),
     }
+
+
+def _gait(card: Card, stage: Stage) -> Json | None:
+    """Return from where to where a gait goes; None: it is one motion."""
+    spans = stage.pair()[0].reach(card.action)
+    return None if spans is None else {"speeds": spans[0], "turns": spans[1]}
 
 
 def tick_json(stage: Stage) -> Json:
@@ -41,7 +52,10 @@ def tick_json(stage: Stage) -> Json:
     assert performer is not None
     assert ghost is not None
     states = performer.states()
-    actions = [_action(card, states[stage.action_index(card)]) for card in stage.cards]
+    actions = [
+        _action(card, states[stage.action_index(card)]) | _going(card, stage)
+        for card in stage.cards
+    ]
     # A motion whose fades were changed while it played is still there under its old name.
     for index, state in enumerate(states):
         if state.activity == "idle" or index in {stage.action_index(c) for c in stage.cards}:
@@ -67,6 +81,15 @@ def tick_json(stage: Stage) -> Json:
 
 def _action(card: Card, state: ActionState) -> Json:
     return {"name": card.name} | _state(state, card.reason)
+
+
+def _going(card: Card, stage: Stage) -> Json:
+    """Return the speed and the turn of a gait, and those it was asked for."""
+    performer = stage.pair()[0]
+    if performer.reach(card.action) is None:
+        return {}
+    values = (*performer.gait(card.action), *stage.gait(card).values())
+    return {"gait": [round(value, 3) for value in values]}
 
 
 def _state(state: ActionState, reason: str) -> Json:

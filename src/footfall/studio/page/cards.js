@@ -24,6 +24,80 @@ function slider(label, value, most, step, digits, change) {
   return row;
 }
 
+// A gait goes as fast and turns as much as its sliders say; what its motions cannot do has none.
+const GAIT = [["speed", "speeds", (value) => `${value.toFixed(2)} m/s`],
+  ["turn", "turns", (value) => `${(value * 180 / Math.PI).toFixed(0).replace(/^-0$/, "0").replace("-", "−")} °/s`]];
+const NARROW = 0.05;
+const asked = new Map();
+let steered = 0;
+
+function sayGait(name) {
+  steered = performance.now();
+  const [speed, turn] = asked.get(name);
+  say("steer", { name, speed, turn });
+}
+
+function steering(data) {
+  const area = document.createElement("div");
+  area.className = "steering";
+  GAIT.forEach(([key, span], index) => {
+    const [low, high] = data.gait[span];
+    if (high - low < NARROW) return;
+    const row = document.createElement("label");
+    row.className = "slider";
+    row.innerHTML = `<span>${key}</span><input type="range" step="0.01" data-steer="${key}"><output></output>`;
+    const input = row.children[1];
+    Object.assign(input, { min: Math.ceil(100 * low - 1e-6) / 100, max: Math.floor(100 * high + 1e-6) / 100 });
+    input.setAttribute("aria-label", `${key} of ${data.name}`);
+    input.oninput = () => {
+      asked.get(data.name)[index] = +input.value;
+      sayGait(data.name);
+    };
+    input.ondblclick = () => {
+      if (key === "turn") {
+        input.value = 0;
+        input.oninput();
+      }
+    };
+    // So that arrow keys steer again, whichever slider was dragged last.
+    input.onpointerup = () => input.blur();
+    area.append(row);
+  });
+  return area;
+}
+
+function tellGait(each, action) {
+  const mine = performance.now() - steered < 400 && asked.has(action.name);
+  if (!mine) asked.set(action.name, action.gait.slice(2));
+  GAIT.forEach(([key, , text], index) => {
+    const input = each.querySelector(`[data-steer=${key}]`);
+    if (!input) return;
+    input.value = asked.get(action.name)[index];
+    put(input.nextElementSibling, text(action.gait[index]));
+  });
+}
+
+const FASTER = 0.1;
+const SHARPER = 0.25;
+
+// Up and down change the speed; left and right turn as long as they are held.
+export function steer(key, held) {
+  const gaits = (known.state?.cards ?? []).filter((data) => data.gait && asked.has(data.name));
+  const active = (data) => !["idle", "fading out"].includes(card(data.name)?.dataset.activity ?? "idle");
+  const data = gaits.find(active) ?? gaits[0];
+  if (!data) return;
+  const upright = key === "ArrowUp" || key === "ArrowDown";
+  if (upright && !held) return;
+  const index = upright ? 0 : 1;
+  const [low, high] = data.gait[GAIT[index][1]];
+  if (high - low < NARROW) return;
+  const now = asked.get(data.name)[index];
+  const step = { ArrowUp: FASTER, ArrowDown: -FASTER, ArrowLeft: SHARPER, ArrowRight: -SHARPER }[key];
+  const wanted = held ? now + step : 0;
+  asked.get(data.name)[index] = Math.min(Math.max(wanted, low), high);
+  sayGait(data.name);
+}
+
 function settings(data, motion) {
   const area = document.createElement("div");
   area.className = "settings";
@@ -45,7 +119,7 @@ function settings(data, motion) {
   text.textContent = data.supports;
   const links = document.createElement("div");
   links.className = "links";
-  for (const [option, label] of [["cyclic", "loop"], ["mirror", "mirror"], ["clean", "clean"]]) {
+  for (const [option, label] of data.gait ? [] : [["cyclic", "loop"], ["mirror", "mirror"], ["clean", "clean"]]) {
     const check = document.createElement("label");
     check.className = "check";
     check.innerHTML = `<input type="checkbox">${label}`;
@@ -53,10 +127,11 @@ function settings(data, motion) {
     check.firstChild.onchange = (event) => say("option", { name, option, on: event.target.checked });
     links.append(check);
   }
-  for (const [label, act] of [["supports", () => {
+  const edit = () => {
     say("select", { name });
     say("view", { view: "supports" });
-  }], ["remove", () => say("remove", { name })]]) {
+  };
+  for (const [label, act] of [...(data.gait ? [] : [["supports", edit]]), ["remove", () => say("remove", { name })]]) {
     const link = document.createElement("button");
     link.className = "link";
     link.textContent = label;
@@ -95,6 +170,7 @@ function build(state) {
       open.has(data.name) ? open.delete(data.name) : open.add(data.name);
       each.classList.toggle("open", open.has(data.name));
     };
+    if (data.gait) each.append(steering(data));
     each.append(settings(data, state.motions.find((motion) => motion.name === data.name)));
     return each;
   }));
@@ -127,6 +203,7 @@ function tell(tick) {
     put(each.querySelector(".go"),
       action.activity === "idle" || action.activity === "fading out" ? "Start" : "Stop");
     each.style.setProperty("--weight", action.most);
+    if (action.gait) tellGait(each, action);
   }
 }
 

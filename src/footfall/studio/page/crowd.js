@@ -3,7 +3,8 @@
 import { known, on, say } from "./link.js";
 import { block, line, pen, RULE, size, SOFT, words } from "./canvas.js";
 
-const TONES = ["#788696", "#3b8fd0", "#e6912a", "#35a47a", "#9b6ebe", "#d65d78", "#5aaab4", "#b2963c", "#6e78c8"];
+const TONES = ["#788696", "#3b8fd0", "#e6912a", "#35a47a", "#9b6ebe", "#d65d78", "#5aaab4", "#b2963c", "#6e78c8",
+  "#8d6e55"];
 const LEFT = 62;
 const SECONDS = 30;
 const box = document.getElementById("herding");

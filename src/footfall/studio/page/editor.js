@@ -280,7 +280,7 @@ function buildPanel() {
 
 function showMotions(state) {
   const list = box.querySelector(".list");
-  list.replaceChildren(...state.motions.map((motion) => {
+  list.replaceChildren(...state.motions.filter((motion) => !motion.gait).map((motion) => {
     const button = document.createElement("button");
     button.setAttribute("aria-pressed", motion.name === state.editing);
     button.innerHTML = "<span></span><small></small>";

@@ -2,7 +2,7 @@
 
 export const COLORS = { R: "#e6912a", L: "#3b8fd0", D: "#35a47a", "-": "#a4adb8", "!": "#d7263d" };
 export const NAMES = { R: "right foot", L: "left foot", D: "both feet", "-": "flight", "!": "conflict" };
-export const TONES = ["#3b8fd0", "#e6912a", "#35a47a", "#9b6ebe", "#d65d78", "#5aaab4", "#b2963c", "#6e78c8"];
+export const TONES = ["#3b8fd0", "#e6912a", "#35a47a", "#9b6ebe", "#d65d78", "#5aaab4", "#b2963c", "#6e78c8", "#8d6e55"];
 export const FEET = ["#3b8fd0", "#e6912a"];
 
 export const known = { state: null, tick: null, clip: null, edit: null, crowd: null, time: 0 };
@@ -47,4 +47,4 @@ export function connect() {
 }
 
 // For tests and scripts: the same line the page uses.
-window.studio = { say, known };
+window.studio = { say, known, on };

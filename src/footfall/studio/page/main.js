@@ -2,16 +2,17 @@
 
 import { COLORS, connect, known, NAMES, on, say } from "./link.js";
 import { canvas, fit } from "./canvas.js";
-import { toggle } from "./cards.js";
+import { steer, toggle } from "./cards.js";
 import * as schedule from "./schedule.js";
 import * as editor from "./editor.js";
 import * as crowd from "./crowd.js";
 
 const byId = (id) => document.getElementById(id);
 const SPEEDS = [[1, "1×"], [0.5, "½×"], [0.25, "¼×"], [0.1, "⅒×"]];
-const SAMPLES = ["walk", "walk-slow", "walk-fast", "walk-backward", "run", "hop-right", "hop-left", "side-step",
-  "idle", "kick", "punch", "jump", "shot", "walk-to-hop"];
+const SAMPLES = ["walk", "walk-slow", "walk-fast", "walk-left", "walk-right", "walk-backward", "run", "run-left",
+  "run-right", "hop-right", "hop-left", "side-step", "idle", "kick", "punch", "jump", "shot", "walk-to-hop"];
 const views = { stage: schedule, supports: editor, crowd };
+const ARROW = /^Arrow/;
 const percent = (value) => (Math.abs(value) < 0.5 ? "0" : value.toFixed(0).replace("-", "−"));
 const view = () => known.state?.view ?? "stage";
 
@@ -54,6 +55,7 @@ function buildControls() {
     byId("open").open = false;
   };
   choices(byId("sample"), SAMPLES, "choose…");
+  byId("gait").onclick = () => { say("gait"); byId("open").open = false; };
   byId("load-all").onclick = () => { say("load-all"); byId("open").open = false; };
   for (const button of document.querySelectorAll("[data-form]")) {
     button.onclick = () => { say("export", { form: button.dataset.form, name: byId("take").value }); byId("save").open = false; };
@@ -176,6 +178,16 @@ addEventListener("keydown", (event) => {
     event.preventDefault();
     pause();
   } else if (!control && view() === "stage" && /^[1-9]$/.test(event.key)) toggle(+event.key - 1);
+  else if (!control && view() === "stage" && ARROW.test(event.key) && !event.target.matches("input")) {
+    event.preventDefault();
+    steer(event.key, true);
+  }
+});
+
+addEventListener("keyup", (event) => {
+  if (known.state && view() === "stage" && ARROW.test(event.key) && !event.target.matches("input,select")) {
+    steer(event.key, false);
+  }
 });
 
 const place = (event) => {
