@@ -111,8 +111,8 @@ def test_and_on_a_path_that_bends_while_the_body_looks_the_same_way() -> None:
     for frame in range(12 * FPS):
         if frame % 30 == 29:
             share = frame / (12 * FPS)
-            hero.set_priority("walk", 8.0 * (1.0 - share) + 0.01)
-            hero.set_priority("side-step", 8.0 * share + 0.01)
+            hero.set_priority("walk", 8.0 * (1.0 - share) + 0.01, fade=0.0)
+            hero.set_priority("side-step", 8.0 * share + 0.01, fade=0.0)
         places.append(_root(hero, 1 / FPS))
         headings.append(float(hero.crowd.characters[0]["root"][2]))
     thirds = [places[4 * FPS * k + 4 * FPS - 1] - places[4 * FPS * k] for k in range(3)]

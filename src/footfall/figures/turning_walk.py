@@ -152,4 +152,4 @@ def _steer(hero: Character, shares: Floats, *, turning: bool) -> None:
         if share < ENDS and hero.is_active(wanted):
             hero.stop(wanted)
         elif hero.is_active(wanted):
-            hero.set_priority(wanted, share)
+            hero.set_priority(wanted, share, fade=0.0)
