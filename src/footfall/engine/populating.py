@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections.abc import Mapping
 from typing import Any, Literal
 
@@ -23,7 +24,7 @@ ground; everything, but in every second frame only."""
 DETAILS: dict[str, int] = {"full": FULL, "no reaching": NO_REACHING, "half rate": HALF_RATE}
 
 
-class Populating:
+class Populating(ABC):
     """The part of a crowd that knows who is in it."""
 
     _characters: npt.NDArray[Any]
@@ -31,9 +32,9 @@ class Populating:
     _newborn: npt.NDArray[Any]
     _stale: bool
 
+    @abstractmethod
     def _make_room(self, rows: int) -> None:
         """Let the arrays have so many rows; nobody is in the new ones."""
-        raise NotImplementedError
 
     @property
     def size(self) -> int:

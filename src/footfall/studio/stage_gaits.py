@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from typing import Literal
 
 from footfall.scenario.cue_sheet import Cue
@@ -15,7 +16,7 @@ GAIT: tuple[Literal["speed"], Literal["turn"]] = ("speed", "turn")
 """What is steered of a gait, in the order of its parameters."""
 
 
-class StageGaits:
+class StageGaits(ABC):
     """The part of a stage that steers its gaits."""
 
     cards: list[Card]
@@ -24,9 +25,9 @@ class StageGaits:
     _asked_gaits: dict[str, tuple[float, float]]
     """What each action was asked for in this take; where it is missing, nothing was."""
 
+    @abstractmethod
     def pair(self) -> tuple[Performer, Performer]:
         """Return the character and its ghost; there must be a motion."""
-        raise NotImplementedError
 
     def steer(self, card: Card, speed: float, turn: float) -> None:
         """Let a gait go at another speed [m/s] and turn [rad/s].
