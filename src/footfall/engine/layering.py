@@ -44,8 +44,8 @@ class Layering(Commanding):
         seats = self._characters["layers"][chosen]
         mine = (seats["layer"] == layer) & (seats["status"] != NOTHING)
         goes_on: Flags = mine & ((seats["status"] == LIES) | self.library.layers[layer].lasts)
-        found = goes_on.any(axis=1)
-        fitting = np.where(found[:, np.newaxis], goes_on, seats["status"] == NOTHING)
+        found: Flags = np.any(goes_on, axis=1)
+        fitting: Flags = goes_on | (~found[:, np.newaxis] & (seats["status"] == NOTHING))
         full = ~fitting.any(axis=1)
         if full.any():
             raise ArgumentError(
@@ -101,6 +101,6 @@ class Layering(Commanding):
 def _weights(seats: Seats) -> Floats:
     """Return what the fades of some seats have come to, in the shape of the seats."""
     progress = seats["progress"].astype(np.float64)
-    eased = progress * progress * (3.0 - 2.0 * progress)
-    weights: Floats = seats["before"] + (seats["goal"] - seats["before"]) * eased
+    share = progress * progress * (3.0 - 2.0 * progress)
+    weights: Floats = (1.0 - share) * seats["before"] + share * seats["goal"]
     return weights

@@ -26,6 +26,9 @@ from footfall.timing import smoothstep
 
 __all__ = ["lay_over"]
 
+COMPLETE = 1.0 - 1e-6
+"""Sums of frame times miss 1 by rounding; a fade that close to its end is over."""
+
 SHORTEST = 1e-6
 """Length of a sum of rotations below which it says nothing: a joint is not turned then."""
 
@@ -53,7 +56,7 @@ def lay_over(
         if seat.status == NOTHING:
             continue
         me.layered = True
-        weight = seat.before + (seat.goal - seat.before) * smoothstep(seat.progress)
+        weight = _weight(seat)
         if weight > 0.0:
             _turn_joints(shelf.keys, entry, seat.time, weight, part_masks, blended)
 
@@ -66,7 +69,7 @@ def _go_on(entry: Entry, seat: LayerSeat, dt: float) -> None:
         until = max(entry.duration - entry.fade_out - seat.time, 0.0)
         if until <= dt:
             _fade(seat, entry.fade_in, until)
-            seat.before += (seat.goal - seat.before) * smoothstep(seat.progress)
+            seat.before = _weight(seat)
             seat.goal = 0.0
             seat.progress = 0.0
             seat.status = LEAVES
@@ -81,9 +84,17 @@ def _go_on(entry: Entry, seat: LayerSeat, dt: float) -> None:
 
 
 @small_kernel
+def _weight(seat: LayerSeat) -> float:
+    """Return what its fade has come to: at its end exactly the goal."""
+    share = smoothstep(seat.progress)
+    return (1.0 - share) * seat.before + share * seat.goal
+
+
+@small_kernel
 def _fade(seat: LayerSeat, seconds: float, dt: float) -> None:
     """Advance a fade of so many seconds."""
-    seat.progress = min(seat.progress + dt / seconds, 1.0) if seconds > dt else 1.0
+    progress = seat.progress + dt / seconds if seconds > dt else 1.0
+    seat.progress = progress if progress < COMPLETE else 1.0
 
 
 @small_kernel
