@@ -235,6 +235,31 @@ def test_weight_fades_along_a_smoothstep_however_time_is_cut() -> None:
         assert hero.layer_weight("nod") == 1.0
 
 
+def test_a_pose_that_fades_in_is_turned_by_the_weight_it_says() -> None:
+    pose = turned("RightArm", np.array([1.2]), 2, IDLE)
+    heroes = walker(), walker()
+    for hero, fade in zip(heroes, (0.4, 0.0), strict=True):
+        hero.add_layer("raised", pose, reference=IDLE, fade_in=fade)
+        hero.start("walk")
+    heroes[0].start_layer("raised")
+    for _ in range(9):
+        heroes[0].advance(1 / FPS)
+        heroes[1].start_layer("raised", weight=heroes[0].layer_weight("raised"))
+        heroes[1].advance(1 / FPS)
+        same(local_rotations(heroes[0]), local_rotations(heroes[1]))
+
+
+def test_where_half_a_whole_turn_says_nothing_a_joint_keeps_its_pose() -> None:
+    clip = turned("LeftArm", np.linspace(0.0, 2.0 * np.pi, 61), 0, IDLE)
+    bare, laid = walker(), walker()
+    laid.add_layer("round", clip, fade_in=0.0, fade_out=0.0)
+    laid.start_layer("round", weight=0.5)
+    for hero in (bare, laid):
+        hero.advance(1.0 - 1e-7)
+    assert laid.layer_weight("round") == 0.5
+    same(local_rotations(laid), local_rotations(bare), 1e-2)
+
+
 def test_nothing_pops_where_a_layer_comes_and_goes() -> None:
     cues = {0: ("start", "walk"), 30: ("start_layer", "blow"), 60: ("stop_layer", "blow")}
     bare, laid = (play(walker(), one, 120) for one in ({0: ("start", "walk")}, cues))

@@ -119,7 +119,7 @@ def layer_shelf_of(layers: Sequence[Layer], joints: int) -> LayerShelf:
     for entry, layer in zip(entries, layers, strict=True):
         entry["first_frame"], entry["frame_count"] = frame, layer.clip.frames
         entry["fps"], entry["duration"] = layer.clip.fps, layer.clip.duration
-        entry["cyclic"], entry["priorities"] = layer.lasts, layer.parts
+        entry["cyclic"] = layer.lasts
         entry["fade_in"], entry["fade_out"] = layer.fade_in, layer.fade_out
         frame += layer.clip.frames
     nothing = np.zeros((0, channel_count(joints)), dtype=np.float32)

@@ -82,5 +82,5 @@ class LayerShelf(NamedTuple):
     turned. Shape (frames, 4 rows + 8)."""
 
     entries: Entries
-    """One record of `entry_type` for each, without phases; its priorities are 1 on the body parts
-    that it turns, else 0. One that is not cyclic leaves by itself. Shape (layers,)."""
+    """One record of `entry_type` for each, without phases or priorities; one that is not cyclic
+    leaves by itself. Shape (layers,)."""

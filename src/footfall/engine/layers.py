@@ -20,7 +20,7 @@ from footfall.engine.layer_record import LAYERS, LEAVES, LIES, NOTHING, LayerSea
 from footfall.engine.record import Character
 from footfall.engine.shelf import key_at
 from footfall.geometry import quaternions
-from footfall.octet_memory import load, spread, store
+from footfall.octet_memory import load, store
 from footfall.octets import LANES, select, square_root
 from footfall.timing import smoothstep
 
@@ -34,14 +34,11 @@ SHORTEST = 1e-6
 
 
 @inner_kernel
-def lay_over(
-    shelf: LayerShelf, part_masks: SmallFloats, me: Character, blended: SmallFloats, dt: float
-) -> None:
+def lay_over(shelf: LayerShelf, me: Character, blended: SmallFloats, dt: float) -> None:
     """Let the layers of one character go on, and lay them over its pose.
 
     Args:
         shelf: All layers.
-        part_masks: Which rows of a pose belong to a body part, as in `Rig`, shape (parts, rows).
         me: The character; it says whether it still has one on.
         blended: Its pose by component, shape (4 rows + 8,); rewritten.
         dt: Time step [s], >= 0.
@@ -58,7 +55,7 @@ def lay_over(
         me.layered = True
         weight = _weight(seat)
         if weight > 0.0:
-            _turn_joints(shelf.keys, entry, seat.time, weight, part_masks, blended)
+            _turn_joints(shelf.keys, entry, seat.time, weight, blended)
 
 
 @small_kernel
@@ -99,30 +96,23 @@ def _fade(seat: LayerSeat, seconds: float, dt: float) -> None:
 
 @small_kernel
 def _turn_joints(
-    keys: SmallFloats,
-    entry: Entry,
-    time: float,
-    weight: float,
-    part_masks: SmallFloats,
-    out: SmallFloats,
+    keys: SmallFloats, entry: Entry, time: float, weight: float, out: SmallFloats
 ) -> None:
     """Turn the joints of one pose, eight at a time."""
     frame, fraction, _ = key_at(entry, time)
-    rows, stride = part_masks.shape[1], keys.shape[1]
+    stride = keys.shape[1]
+    rows = (stride - LANES) // 4
     before = frame * stride
     after = before + stride if fraction > 0.0 else before
     for row in range(0, rows, LANES):
-        share = spread(0.0)
-        for part in range(part_masks.shape[0]):
-            share = share + load(part_masks, part * rows + row) * entry.priorities[part]
-        share = share * weight
         # From no turn on: as much of the turn as there is weight.
-        w = 1.0 + share * (_between(keys, before, after, row, fraction) - 1.0)
-        x = share * _between(keys, before, after, row + rows, fraction)
-        y = share * _between(keys, before, after, row + 2 * rows, fraction)
-        z = share * _between(keys, before, after, row + 3 * rows, fraction)
+        w = 1.0 + weight * (_between(keys, before, after, row, fraction) - 1.0)
+        x = weight * _between(keys, before, after, row + rows, fraction)
+        y = weight * _between(keys, before, after, row + 2 * rows, fraction)
+        z = weight * _between(keys, before, after, row + 3 * rows, fraction)
         length = square_root(w * w + x * x + y * y + z * z)
-        scale = 1.0 / length
+        turns = length > SHORTEST
+        scale = select(turns, 1.0 / length, 0.0)
         pose = (
             load(out, row),
             load(out, row + rows),
@@ -132,7 +122,6 @@ def _turn_joints(
         w, x, y, z = quaternions.product(
             w * scale, x * scale, y * scale, z * scale, pose[0], pose[1], pose[2], pose[3]
         )
-        turns = select(length > SHORTEST, share, 0.0) > 0.0
         store(out, row, select(turns, w, pose[0]))
         store(out, row + rows, select(turns, x, pose[1]))
         store(out, row + 2 * rows, select(turns, y, pose[2]))

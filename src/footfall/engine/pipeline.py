@@ -61,7 +61,7 @@ def _advance_row(
     #    without a part in any of this, what the upper body does besides.
     blend_poses(shelf, rig, me, work, lane)
     if me.layered:
-        lay_over(shelf.layers, rig.part_masks, me, work.blended[lane], dt)
+        lay_over(shelf.layers, me, work.blended[lane], dt)
     fly(shelf, rig, me, dt)
     # 5. The feet of that mean; where nothing plays they stand where they were planted.
     stand_where_planted(shelf, me)

@@ -33,7 +33,7 @@ def compile_poses(crowd: Crowd) -> None:
     )
     characters, poses = type_of(crowd.characters), type_of(crowd.poses)
     pose, points = type_of(work.blended[0]), type_of(work.points)
-    layers, masks = type_of(crowd.shelf.layers), type_of(crowd.rig.part_masks)
+    layers = type_of(crowd.shelf.layers)
     lane: Any = numba.intp
     time: Any = numba.float64
     stages: tuple[tuple[Any, tuple[Any, ...]], ...] = (
@@ -41,7 +41,7 @@ def compile_poses(crowd: Crowd) -> None:
         (keep_footprints, (ground, rig, me, time)),
         (foresee_landings, (library, ground, rig, me, points)),
         (blend_poses, (library, rig, me, memory, lane)),
-        (lay_over, (layers, masks, me, pose, time)),
+        (lay_over, (layers, me, pose, time)),
         (aim_body, (rig, me, memory, lane)),
         (fly, (library, rig, me, time)),
         (move_root, (rig, me, time)),
