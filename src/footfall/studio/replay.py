@@ -39,7 +39,7 @@ def open_scenario(session: Session, name: str) -> None:
     if scenario.layers:
         raise ScenarioError(
             f"{path}: has the layer {scenario.layers[0].name!r}; the studio lays none, "
-            "footfall play does"
+            "footfall blend does"
         )
 
     def work(job: Job) -> None:
