@@ -374,6 +374,24 @@ def test_one_that_is_added_later_can_be_laid() -> None:
     assert [layer.name for layer in hero.library.layers] == ["nod", "wave", "blow", "late"]
 
 
+def test_a_layer_of_another_body_is_brought_onto_the_librarys() -> None:
+    punch = ff.sample("punch")[0]
+    names = tuple("Bauch" if name == "Spine" else name for name in SKELETON.names)
+    other = ff.Skeleton(names, SKELETON.parents, SKELETON.rest_offsets, SKELETON.tip_offsets)
+    heroes = walker(), walker()
+    for hero, body in zip(heroes, (SKELETON, other), strict=True):
+        clip = punch.evolve(skeleton=body)
+        hero.add_layer("theirs", clip, parts=["arms"], reference=clip)
+        hero.start("walk")
+        hero.start_layer("theirs")
+        hero.advance(0.7)
+    same(local_rotations(heroes[1]), local_rotations(heroes[0]), 2e-2)
+    bare = walker()
+    bare.start("walk")
+    bare.advance(0.7)
+    assert np.abs(local_rotations(heroes[1]) - local_rotations(bare)).max() > 0.1
+
+
 def test_what_cannot_be_laid_is_told() -> None:
     hero = walker()
 
