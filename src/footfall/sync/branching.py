@@ -58,6 +58,7 @@ def _mean_vote(memory: SearchMemory, mask: int, doubt: float) -> tuple[float, fl
 def expand(table: SequenceTable, memory: SearchMemory, node: int) -> int:
     """Replace a node by what may follow it; return how many ways there are."""
     combined, doubt = open_node(table, memory, node)
+    limit = _worst_kept(memory, node)
     ways = 0
     for index in range(sets_to_try(memory)):
         mask = memory.masks[index]
@@ -72,12 +73,17 @@ def expand(table: SequenceTable, memory: SearchMemory, node: int) -> int:
             if after != combined:
                 duration = max(duration, SHORTEST_SUPPORT - memory.steady[node])
         duration = min(max(duration, soonest), latest)
-        paid, overdue = _stretch_costs(memory, mask, duration)
-        cost = memory.cost[node] + DISAGREEMENT_PRICE * doubt * duration + paid
         time = memory.time[node] + duration
+        cost = memory.cost[node] + DISAGREEMENT_PRICE * doubt * duration
+        if cost - TIME_VALUE * time >= limit:
+            # Stretching costs more, and it would not be kept as it is.
+            continue
+        paid, overdue = _stretch_costs(memory, mask, duration)
+        cost += paid
         rank = cost + overdue - TIME_VALUE * time
         child = _place_for(memory, node, mask, time, rank)
         if child >= 0:
+            limit = _worst_kept(memory, node)
             memory.time[child] = time
             memory.cost[child] = cost
             memory.rank[child] = rank
@@ -88,6 +94,18 @@ def expand(table: SequenceTable, memory: SearchMemory, node: int) -> int:
                 memory.offset[child] = duration - mean
     memory.alive[node] = 0
     return ways
+
+
+@inner_kernel
+def _worst_kept(memory: SearchMemory, node: int) -> float:
+    """Return the rank below which a child finds a place beside the other nodes; inf if any does."""
+    worst = -math.inf
+    for other in range(NODES):
+        if other != node:
+            if not memory.alive[other]:
+                return math.inf
+            worst = max(worst, memory.rank[other])
+    return worst
 
 
 @inner_kernel

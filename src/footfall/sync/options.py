@@ -43,12 +43,15 @@ def open_node(table: SequenceTable, memory: SearchMemory, node: int) -> tuple[in
             memory.own[lane] = memory.latest[lane] = math.inf
             memory.played[lane] = memory.soonest[lane] = 0.0
             continue
-        support = int(table.supports[first + phase % count])
+        place = phase % count
+        support = int(table.supports[first + place])
         combined &= support
         memory.support[lane] = support
-        if memory.cyclic[lane] or phase + 1 < count:
-            memory.coming[lane] = table.supports[first + (phase + 1) % count]
-        own = table.durations[first + phase % count]
+        if place + 1 < count:
+            memory.coming[lane] = table.supports[first + place + 1]
+        elif memory.cyclic[lane]:
+            memory.coming[lane] = table.supports[first]
+        own = table.durations[first + place]
         left = memory.left[lane] if phase == memory.root[lane] else own
         since = memory.since[node, lane]
         memory.own[lane] = own
