@@ -42,9 +42,9 @@ class Commanding:
     _workers: Workers
 
     def _refresh(self) -> None:
-        if len(self.library.actions) != self._known:
+        if self.library.revision != self._known:
             self._shelf = self.library.shelf(self._planner)
-            self._known = len(self.library.actions)
+            self._known = self.library.revision
 
     def _check_action(self, action: int) -> int:
         if not 0 <= action < len(self.library.actions):

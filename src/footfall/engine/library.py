@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
 import numpy as np
 
-from footfall.actions import GaitCycle, Locomotion
+from footfall.actions import GaitCycle, Locomotion, MotionSource, ask_source
 from footfall.engine.action import Action, entries_of
 from footfall.engine.library_body import LibraryBody
 from footfall.engine.packing import PackedClip
@@ -32,6 +33,11 @@ class MotionLibrary(LibraryBody):
     def actions(self) -> tuple[Action, ...]:
         """All actions; an action's id is its index."""
         return tuple(self._actions)
+
+    @property
+    def revision(self) -> int:
+        """A number that grows whenever an action is added, or its motion changes."""
+        return len(self._actions) + self._resampled
 
     def index(self, name: str) -> int:
         """Return the id of an action.
@@ -73,9 +79,75 @@ class MotionLibrary(LibraryBody):
         """
         self._check_new(name, fade_in, fade_out)
         values = parse_priority(priority)
-        clip, packed = self._packed(repr(name), clip, supports)
+        with self._unchanged_if_refused():
+            clip, packed = self._packed(repr(name), clip, supports)
         self._actions.append(Action(name, clip, supports, values, fade_in, fade_out, packed))
         return len(self._actions) - 1
+
+    def add_source(
+        self,
+        name: str,
+        source: MotionSource,
+        *,
+        priority: float | Mapping[str, float] = 1.0,
+        fade_in: float = 0.3,
+        fade_out: float = 0.3,
+    ) -> int:
+        """Add a motion that a program of the user's makes, and return its id.
+
+        The program is asked for all its poses here, and not while time passes; `resample` asks
+        it again.
+
+        Args:
+            name: What commands will call it; new to this library.
+            source: The program.
+            priority: Of the whole body or by body part, as in `parse_priority`.
+            fade_in: How long a start takes to become complete [s], >= 0.
+            fade_out: How long a stop takes to become complete [s], >= 0.
+
+        Raises:
+            SourceError: If the program raises anything; nothing is added then.
+            ArgumentError: As of `add`; also if the body, rate or supports of the source are none.
+            SkeletonError: As of `add`.
+            ClipError: As of `add`; also if the source gives anything but a pose for each time.
+            SupportSequenceError: As of `add`.
+        """
+        self._check_new(name, fade_in, fade_out)
+        values = parse_priority(priority)
+        clip, supports = ask_source(name, source)
+        with self._unchanged_if_refused():
+            clip, packed = self._packed(repr(name), clip, supports)
+        self._actions.append(
+            Action(name, clip, supports, values, fade_in, fade_out, packed, source=source)
+        )
+        return len(self._actions) - 1
+
+    def resample(self, name: str) -> None:
+        """Ask the source of an action for its poses again; they are played from now on.
+
+        What is running goes on where it is: a source should change its motion by little at a
+        time, or while it is not shown.
+
+        Raises:
+            UnknownNameError: If there is no action of this name.
+            ArgumentError: If it has no source, or the source has other supports than before.
+            SourceError: If the program raises anything; what it gave before is played on.
+            SkeletonError: As of `add_source`.
+            ClipError: As of `add_source`.
+        """
+        index = self.index(name)
+        action = self._actions[index]
+        if action.source is None:
+            raise ArgumentError(f"{name!r} has no source to ask again; `add_source` gives it one")
+        clip, supports = ask_source(name, action.source)
+        if supports != action.supports:
+            raise ArgumentError(
+                f"the source of {name!r} now has the supports {supports}; those it was added "
+                f"with are needed: {action.supports}"
+            )
+        clip, packed = self._packed(repr(name), clip, supports)
+        self._actions[index] = replace(action, clip=clip, packed=packed)
+        self._resampled += 1
 
     def add_locomotion(
         self,
@@ -113,15 +185,16 @@ class MotionLibrary(LibraryBody):
             raise ArgumentError(f"{name!r} has no clip; a locomotion needs at least one")
         packs: list[tuple[Clip, PackedClip]] = []
         cycles: list[GaitCycle] = []
-        for index, (clip, supports) in enumerate(clips):
-            label = f"clip {index} of {name!r}"
-            packs.append(self._packed(label, clip, supports))
-            packed, fps = packs[-1][1], packs[-1][0].fps
-            cycles.append(GaitCycle.of(label, packed.keys, packed.roots, fps, supports))
-        rig = self.rig()
-        gaits = Locomotion(cycles, rig.leg_sides, rig.leg_length)
-        begin = gaits.checked(speed, turn)
-        mix = gaits.mix(*begin)
+        with self._unchanged_if_refused():
+            for index, (clip, supports) in enumerate(clips):
+                label = f"clip {index} of {name!r}"
+                packs.append(self._packed(label, clip, supports))
+                packed, fps = packs[-1][1], packs[-1][0].fps
+                cycles.append(GaitCycle.of(label, packed.keys, packed.roots, fps, supports))
+            rig = self.rig()
+            gaits = Locomotion(cycles, rig.leg_sides, rig.leg_length)
+            begin = gaits.checked(speed, turn)
+            mix = gaits.mix(*begin)
         resting = np.einsum("c,cfp->fp", mix.shares, [p.resting_heights for _, p in packs])
         gait = tuple((clip, one[1]) for (clip, _), one in zip(packs, clips, strict=True))
         packed = packs[0][1]._replace(keys=mix.keys, roots=mix.roots, resting_heights=resting)

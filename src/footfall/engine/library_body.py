@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Generator
+from contextlib import contextmanager
+
 from footfall.arrays import Floats, SmallFloats
 from footfall.engine.action import Action, check_supports
 from footfall.engine.packing import PackedClip, carrying_feet, pack_clip, pack_standing
@@ -28,6 +31,7 @@ class LibraryBody:
         """
         self._neutral = neutral
         self._actions: list[Action] = []
+        self._resampled: int = 0
         self._skeleton = skeleton
         self._anatomy: Anatomy | None = None
         self._standing: SmallFloats | None = None
@@ -59,6 +63,16 @@ class LibraryBody:
         if skeleton is None:
             return rig_of(self.skeleton, self.anatomy)
         return rig_of(skeleton, resized(self.anatomy, 1.0 / self._size_beside(skeleton)))
+
+    @contextmanager
+    def _unchanged_if_refused(self) -> Generator[None, None, None]:
+        """Let a first clip that is refused leave the library without a body, as it was."""
+        before = (self._skeleton, self._anatomy, self._standing, self._resting)
+        try:
+            yield
+        except BaseException:
+            self._skeleton, self._anatomy, self._standing, self._resting = before
+            raise
 
     def _packed(self, label: str, clip: Clip, supports: SupportSequence) -> tuple[Clip, PackedClip]:
         """Return a clip of this library's family, and the same normalized.
