@@ -25,6 +25,7 @@ TESTS = {
     "timing": ["tests/timing", "tests/paper/test_figures_10_to_12_time_warp.py"],
     "sync": [
         "tests/sync/test_shares.py",
+        "tests/sync/test_muting.py",
         "tests/sync/test_synchronizer.py",
         "tests/sync/test_schedule_html.py",
         "tests/sync/test_paper.py",
