@@ -26,6 +26,7 @@ TESTS = {
     "sync": [
         "tests/sync/test_shares.py",
         "tests/sync/test_muting.py",
+        "tests/sync/test_path.py",
         "tests/sync/test_synchronizer.py",
         "tests/sync/test_schedule_html.py",
         "tests/sync/test_paper.py",
