@@ -22,6 +22,14 @@ def as_it_is(given: Any) -> Any:
     return given
 
 
+def crash(_given: Any) -> Any:
+    raise ZeroDivisionError("division by zero")
+
+
+def nowhere(given: Any) -> Any:
+    return given[0] * np.nan, given[1]
+
+
 @dataclass
 class Replay:
     """Gives the poses of a clip."""
@@ -131,10 +139,6 @@ def too_few(given: Any) -> Any:
 
 def a_joint_less(given: Any) -> Any:
     return given[0], given[1][:, :-1]
-
-
-def nowhere(given: Any) -> Any:
-    return given[0] * np.nan, given[1]
 
 
 def twice_as_long(given: Any) -> Any:

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from tests.actions.test_motion_source import Replay, nowhere, replay
+from tests.actions.test_motion_source import Replay, crash, nowhere, replay
 
 from footfall.arrays import Positions
 from footfall.engine import Character, Crowd, MotionLibrary
@@ -14,10 +14,6 @@ from footfall.errors import ArgumentError, ClipError, SourceError, UnknownNameEr
 from footfall.geometry import from_yaw, multiply
 from footfall.samples import sample
 from footfall.support import SupportSequence
-
-
-def crash(_given: Any) -> Any:
-    raise ZeroDivisionError("division by zero")
 
 
 def higher(given: Any) -> Any:
