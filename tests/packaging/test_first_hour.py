@@ -70,6 +70,7 @@ def correct_in_the_studio(home: Path, folder: Path) -> None:
                 browser.close()
         finally:
             studio.send_signal(signal.SIGINT)
+            assert studio.communicate(timeout=LONGEST_WAIT)[0].endswith("closed\n")
 
 
 @pytest.mark.skipif(CHROMIUM is None, reason="no chromium here")

@@ -57,3 +57,11 @@ def test_a_phase_is_played_evenly_over_all_its_columns(texts: tuple[str, str]) -
                 assert window.pace[seat, column] * lasting == pytest.approx(own, abs=1e-9)
                 held += behind - first > 1
     assert held > 0, "no phase lasts longer than a column: nothing was tested"
+
+
+@pytest.mark.parametrize("text", ["R.01 D.02 L.01 D.02*", "R.4 -.03 L.4 -.03*", "D.02"])
+def test_an_action_alone_is_played_as_it_is_however_short_its_phases(text: str) -> None:
+    table, window = running_window([text], [0], [1.0])
+    for column in range(int(table.phase_count[0])):
+        assert window.durations[column] == pytest.approx(table.durations[column])
+    assert window.pace[0, 0] == 1.0
