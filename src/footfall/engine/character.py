@@ -12,9 +12,9 @@ from footfall.engine.crowd import Crowd
 from footfall.engine.flight import Flight
 from footfall.engine.handed import Handed
 from footfall.engine.inspection import ActionState, action_states, present_schedule
+from footfall.engine.learning import Learning
 from footfall.engine.library import MotionLibrary
 from footfall.engine.refusals import Late
-from footfall.engine.repertoire import Repertoire
 from footfall.engine.showing import show_character
 from footfall.engine.state import EMPTY, WAITING, Frame
 from footfall.errors import ArgumentError
@@ -27,7 +27,7 @@ from footfall.sync.tables import Planner
 __all__ = ["Character"]
 
 
-class Character(Handed, Repertoire):
+class Character(Handed, Learning):
     """A body that performs actions which start and stop at any moment."""
 
     def __init__(

@@ -2,19 +2,17 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 
 import numpy as np
 
-from footfall.actions import GaitCycle, Locomotion, MotionSource, ask_source
+from footfall.actions import GaitCycle, Locomotion
 from footfall.engine.action import Action, entries_of
-from footfall.engine.library_body import LibraryBody
+from footfall.engine.library_sources import LibrarySources
 from footfall.engine.packing import PackedClip
 from footfall.engine.priorities import parse_priority
 from footfall.engine.shelf import Shelf
-from footfall.errors import ArgumentError, UnknownNameError
+from footfall.errors import ArgumentError
 from footfall.motion import Clip
 from footfall.skeleton.normalized import by_component
 from footfall.support import SupportSequence
@@ -23,32 +21,11 @@ from footfall.sync.tables import Planner, SequenceTable
 __all__ = ["Action", "MotionLibrary"]
 
 
-class MotionLibrary(LibraryBody):
+class MotionLibrary(LibrarySources):
     """Actions of one skeleton family, packed for the kernels.
 
     A new clip is appended: it touches no other, and no index ever changes.
     """
-
-    @property
-    def actions(self) -> tuple[Action, ...]:
-        """All actions; an action's id is its index."""
-        return tuple(self._actions)
-
-    @property
-    def revision(self) -> int:
-        """A number that grows whenever an action is added, or its motion changes."""
-        return len(self._actions) + self._resampled
-
-    def index(self, name: str) -> int:
-        """Return the id of an action.
-
-        Raises:
-            UnknownNameError: If there is none of this name.
-        """
-        for index, action in enumerate(self._actions):
-            if action.name == name:
-                return index
-        raise UnknownNameError("action", name, [action.name for action in self._actions])
 
     def add(
         self,
@@ -83,71 +60,6 @@ class MotionLibrary(LibraryBody):
             clip, packed = self._packed(repr(name), clip, supports)
         self._actions.append(Action(name, clip, supports, values, fade_in, fade_out, packed))
         return len(self._actions) - 1
-
-    def add_source(
-        self,
-        name: str,
-        source: MotionSource,
-        *,
-        priority: float | Mapping[str, float] = 1.0,
-        fade_in: float = 0.3,
-        fade_out: float = 0.3,
-    ) -> int:
-        """Add a motion that a program of the user's makes, and return its id.
-
-        The program is asked for all its poses here, and not while time passes; `resample` asks
-        it again.
-
-        Args:
-            name: What commands will call it; new to this library.
-            source: The program.
-            priority: Of the whole body or by body part, as in `parse_priority`.
-            fade_in: How long a start takes to become complete [s], >= 0.
-            fade_out: How long a stop takes to become complete [s], >= 0.
-
-        Raises:
-            SourceError: If the program raises anything; nothing is added then.
-            ArgumentError: As of `add`; also if the body, rate or supports of the source are none.
-            SkeletonError: As of `add`.
-            ClipError: As of `add`; also if the source gives anything but a pose for each time.
-            SupportSequenceError: As of `add`.
-        """
-        self._check_new(name, fade_in, fade_out)
-        values = parse_priority(priority)
-        clip, supports = ask_source(name, source)
-        with self._unchanged_if_refused():
-            clip, packed = self._packed(repr(name), clip, supports)
-        self._actions.append(
-            Action(name, clip, supports, values, fade_in, fade_out, packed, source=source)
-        )
-        return len(self._actions) - 1
-
-    def resample(self, name: str) -> None:
-        """Ask the source of an action for its poses again; they are played from now on.
-
-        What is running goes on where it is: a source should change its motion by little at a
-        time, or while it is not shown.
-
-        Raises:
-            UnknownNameError: If there is no action of this name.
-            ArgumentError: If it has no source, or the source has other supports than before.
-            SourceError: If the program raises anything; what it gave before is played on.
-            SkeletonError: As of `add_source`.
-            ClipError: As of `add_source`.
-        """
-        index = self.index(name)
-        action = self._actions[index]
-        if action.source is None:
-            raise ArgumentError(f"{name!r} has no source to ask again; `add_source` gives it one")
-        clip, supports = ask_source(name, action.source)
-        if supports != action.supports:
-            raise ArgumentError(
-                f"the source of {name!r} now has the supports {supports}; those it was added "
-                f"with are needed: {action.supports}"
-            )
-        clip, packed = self._packed(repr(name), clip, supports)
-        self._actions[index] = replace(action, clip=clip, packed=packed)
-        self._resampled += 1
 
     def add_locomotion(
         self,
@@ -203,13 +115,6 @@ class MotionLibrary(LibraryBody):
             Action(name, first, mix.supports, values, *fades, packed, gaits, begin, gait)
         )
         return len(self._actions) - 1
-
-    def _check_new(self, name: str, fade_in: float, fade_out: float) -> None:
-        if any(action.name == name for action in self._actions):
-            raise ArgumentError(f"there already is an action named {name!r}; names must differ")
-        for label, seconds in (("fade_in", fade_in), ("fade_out", fade_out)):
-            if not (math.isfinite(seconds) and seconds >= 0.0):
-                raise ArgumentError(f"{label} of {name!r} is {seconds} s; it must be >= 0")
 
     def shelf(self, planner: Planner = "footfall") -> Shelf:
         """Return the library as the kernels take it.

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Generator
 from contextlib import contextmanager
 
 from footfall.arrays import Floats, SmallFloats
 from footfall.engine.action import Action, check_supports
 from footfall.engine.packing import PackedClip, carrying_feet, pack_clip, pack_standing
-from footfall.errors import ArgumentError, SkeletonError
+from footfall.errors import ArgumentError, SkeletonError, UnknownNameError
 from footfall.motion import Clip, with_soles
 from footfall.motion.retargeting import map_clip, retarget
 from footfall.skeleton import Anatomy, Skeleton, find_anatomy, leg_length, resized
@@ -58,6 +59,27 @@ class LibraryBody:
             self._anatomy = find_anatomy(self.skeleton)
         return self._anatomy
 
+    @property
+    def actions(self) -> tuple[Action, ...]:
+        """All actions; an action's id is its index."""
+        return tuple(self._actions)
+
+    @property
+    def revision(self) -> int:
+        """A number that grows whenever an action is added, or its motion changes."""
+        return len(self._actions) + self._resampled
+
+    def index(self, name: str) -> int:
+        """Return the id of an action.
+
+        Raises:
+            UnknownNameError: If there is none of this name.
+        """
+        for index, action in enumerate(self._actions):
+            if action.name == name:
+                return index
+        raise UnknownNameError("action", name, [action.name for action in self._actions])
+
     def rig(self, skeleton: Skeleton | None = None) -> Rig:
         """Return a body of this library's family, packed for the kernels."""
         if skeleton is None:
@@ -73,6 +95,13 @@ class LibraryBody:
         except BaseException:
             self._skeleton, self._anatomy, self._standing, self._resting = before
             raise
+
+    def _check_new(self, name: str, fade_in: float, fade_out: float) -> None:
+        if any(action.name == name for action in self._actions):
+            raise ArgumentError(f"there already is an action named {name!r}; names must differ")
+        for label, seconds in (("fade_in", fade_in), ("fade_out", fade_out)):
+            if not (math.isfinite(seconds) and seconds >= 0.0):
+                raise ArgumentError(f"{label} of {name!r} is {seconds} s; it must be >= 0")
 
     def _packed(self, label: str, clip: Clip, supports: SupportSequence) -> tuple[Clip, PackedClip]:
         """Return a clip of this library's family, and the same normalized.

@@ -9,10 +9,10 @@ from footfall.engine.library import MotionLibrary
 from footfall.motion import Clip
 from footfall.support import SupportSequence
 
-__all__ = ["Repertoire"]
+__all__ = ["Learning"]
 
 
-class Repertoire:
+class Learning:
     """The part of a character that learns actions."""
 
     library: MotionLibrary
