@@ -20,7 +20,14 @@ from footfall.sync.search_memory import SearchMemories
 from footfall.sync.tables import Rules
 from footfall.timing import reverse_fade
 
-__all__ = ["NOBODY", "catch_up_rows", "prioritize_rows", "start_rows", "stop_rows"]
+__all__ = [
+    "NOBODY",
+    "catch_up_rows",
+    "prioritize_rows",
+    "row_without_seat",
+    "start_rows",
+    "stop_rows",
+]
 
 LEGS = int(BodyPart.LEGS)
 PARTS = len(BodyPart)
@@ -29,7 +36,7 @@ AT_ONCE = 1e-9
 """Time in which nothing is gradual [s]."""
 
 NOBODY = -1
-"""What `start_rows` returns where everybody has a seat."""
+"""What `row_without_seat` returns where everybody has a seat."""
 
 
 @lean_kernel
@@ -43,8 +50,10 @@ def start_rows(
     patience: float,
     late: int,
     out: Flags,
-) -> int:
+) -> None:
     """Start an action of many characters, each at once or as soon as its moment comes.
+
+    Everybody has a seat for it: see `row_without_seat`.
 
     Args:
         shelf: The library.
@@ -56,17 +65,19 @@ def start_rows(
         patience: How long a start waits at most [s], >= 0.
         late: What becomes of it then: `GIVES_UP` or `STARTS_MUTED`.
         out: Written: whether it runs now, shape (rows,).
-
-    Returns:
-        The first row that has no seat for it, and nothing is changed; else -1.
     """
+    for place in range(rows.shape[0]):
+        me: Character = characters[int(rows[place])]
+        out[place] = _start_row(shelf, me, search, rules, action, patience, late)
+
+
+@lean_kernel
+def row_without_seat(shelf: Shelf, characters: npt.NDArray[Any], rows: Indices, action: int) -> int:
+    """Return the first of some rows that has no seat for an action, or `NOBODY`."""
     for place in range(rows.shape[0]):
         me: Character = characters[int(rows[place])]
         if not _has_room(shelf, me, action):
             return int(rows[place])
-    for place in range(rows.shape[0]):
-        me = characters[int(rows[place])]
-        out[place] = _start_row(shelf, me, search, rules, action, patience, late)
     return NOBODY
 
 

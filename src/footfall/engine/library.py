@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 
 import numpy as np
 
@@ -15,6 +15,7 @@ from footfall.engine.priorities import parse_priority
 from footfall.engine.shelf import Shelf
 from footfall.errors import ArgumentError, UnknownNameError
 from footfall.motion import Clip
+from footfall.skeleton import Skeleton
 from footfall.skeleton.normalized import by_component
 from footfall.support import SupportSequence
 from footfall.sync.tables import Planner, SequenceTable
@@ -27,6 +28,33 @@ class MotionLibrary(LibraryBody):
 
     A new clip is appended: it touches no other, and no index ever changes.
     """
+
+    def __init__(self, *, skeleton: Skeleton | None = None, neutral: Clip | None = None) -> None:
+        """Begin an empty library; arguments as of `LibraryBody`."""
+        super().__init__(skeleton=skeleton, neutral=neutral)
+        self._additions: list[Callable[[MotionLibrary], int]] = []
+        self._adapted: list[MotionLibrary] = []
+
+    def adapted(self, skeleton: Skeleton) -> MotionLibrary:
+        """Return this library as another body performs it: the same actions under the same ids.
+
+        It is made once for a body; asked for again it learns what has been added since.
+
+        Args:
+            skeleton: That very body is asked for again, of whatever family.
+
+        Raises:
+            SkeletonError: If a motion cannot be retargeted.
+        """
+        known = (one for one in self._adapted if one.skeleton is skeleton)
+        other = next(known, None)
+        if other is None:
+            other = MotionLibrary(skeleton=skeleton)
+            other._stand_as(self)
+            self._adapted.append(other)
+        for addition in self._additions[len(other._actions) :]:
+            addition(other)
+        return other
 
     @property
     def actions(self) -> tuple[Action, ...]:
@@ -73,7 +101,13 @@ class MotionLibrary(LibraryBody):
         """
         self._check_new(name, fade_in, fade_out)
         values = parse_priority(priority)
+        given = clip
         clip, packed = self._packed(repr(name), clip, supports)
+        self._additions.append(
+            lambda other: other.add(
+                name, given, supports, priority=priority, fade_in=fade_in, fade_out=fade_out
+            )
+        )
         self._actions.append(Action(name, clip, supports, values, fade_in, fade_out, packed))
         return len(self._actions) - 1
 
@@ -126,6 +160,19 @@ class MotionLibrary(LibraryBody):
         gait = tuple((clip, one[1]) for (clip, _), one in zip(packs, clips, strict=True))
         packed = packs[0][1]._replace(keys=mix.keys, roots=mix.roots, resting_heights=resting)
         fades, first = (fade_in, fade_out), packs[0][0]
+        given = tuple(clips)
+        self._additions.append(
+            lambda other: other.add_locomotion(
+                name,
+                given,
+                # Shorter legs go as many leg lengths in the same time.
+                speed=begin[0] * other.rig().leg_length / rig.leg_length,
+                turn=begin[1],
+                priority=priority,
+                fade_in=fade_in,
+                fade_out=fade_out,
+            )
+        )
         self._actions.append(
             Action(name, first, mix.supports, values, *fades, packed, gaits, begin, gait)
         )
