@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
 
 from footfall.adaptation.goal_body import GoalBody, goal_body_of
-from footfall.arrays import Indices
 from footfall.engine.hands import Palms, palms_of
 from footfall.engine.library import MotionLibrary
 from footfall.engine.parameters import Parameters, Parts
@@ -27,33 +25,29 @@ class Repertoire:
     def __init__(self, library: MotionLibrary, planner: Planner) -> None:
         """Pack the motions of a library; they move its own skeleton."""
         self.library = library
-        self.shelf: Shelf = library.shelf(planner)
         self.parameters = Parameters()
         self._planner: Planner = planner
-        self._known = len(library.actions)
+        self.pack()
 
     @property
     def behind(self) -> bool:
         """Whether the library has learned actions since."""
         return len(self.library.actions) != self._known
 
-    def refresh(self, parts: Parts) -> None:
-        """Take over actions that the library has learned since.
+    def pack(self) -> None:
+        """Pack the motions that the library has by now."""
+        self.shelf: Shelf = self.library.shelf(self._planner)
+        self._known = len(self.library.actions)
+
+    def write(self, parts: Parts) -> None:
+        """Write the mix of every gait that has been steered, after `pack`.
 
         Args:
-            parts: Records of all characters that perform these motions.
+            parts: All characters that perform these motions.
         """
-        self.shelf = self.library.shelf(self._planner)
-        self._known = len(self.library.actions)
         self.parameters.write(self.shelf, parts, self.library.actions)
 
-    def ask(
-        self,
-        parts: Parts,
-        action: int,
-        speed: float | None,
-        turn: float | None,
-    ) -> None:
+    def ask(self, parts: Parts, action: int, speed: float | None, turn: float | None) -> None:
         """Ask a locomotion for a speed [m/s] and a turn [rad/s]; errors as of `Parameters.ask`."""
         known = self.library.actions[action]
         self.parameters.ask(self.shelf, parts, known, action, (speed, turn))
@@ -67,18 +61,27 @@ class Repertoire:
         return float(np.clip(asked, gait.speeds.min(), gait.speeds.max()))
 
 
-@dataclass(frozen=True, eq=False)
 class Body:
     """One body of a crowd."""
 
-    skeleton: Skeleton
-    """Its joints, in the order of its motions."""
+    def __init__(self, skeleton: Skeleton, rig: Rig, repertoire: Repertoire) -> None:
+        """Fit motions to a body.
 
-    rig: Rig
-    """The same as the kernels take it."""
+        Args:
+            skeleton: Its joints, in the order of its motions.
+            rig: The same as the kernels take it.
+            repertoire: The motions that it performs.
+        """
+        self.skeleton, self.rig, self.repertoire = skeleton, rig, repertoire
+        self.fit()
 
-    repertoire: Repertoire
-    """The motions that it performs."""
+    def fit(self) -> None:
+        """Take over the motions of its repertoire as they are by now.
+
+        Feet belong to a body: the arrays are all the same but for where its heels and toes are.
+        """
+        points = self.rig.foot_points / self.rig.leg_length
+        self.shelf: Shelf = self.repertoire.shelf._replace(points=points)
 
     @cached_property
     def palms(self) -> Palms:
@@ -135,19 +138,18 @@ class Bodies:
         self.repertoires.append(Repertoire(adapted, self._planner))
         return Body(skeleton, adapted.rig(), self.repertoires[-1])
 
-    def repertoires_of(self, bodies: Indices) -> Indices:
-        """Return the number of each body's repertoire, shape (...)."""
-        own = [self.repertoires.index(body.repertoire) for body in self.all]
-        return np.array(own)[bodies]
-
     def learn(self) -> None:
-        """Adapt motions that the library has learned since to the bodies of other families.
+        """Take over actions that the library has learned since, adapted to every body.
 
         Raises:
             SkeletonError: If one cannot be adapted.
         """
         for other in self.repertoires[1:]:
             self._library.adapted(other.library.skeleton)
+        for repertoire in self.repertoires:
+            repertoire.pack()
+        for body in self.all:
+            body.fit()
 
 
 def _same(one: Skeleton, other: Skeleton) -> bool:

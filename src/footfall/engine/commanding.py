@@ -56,29 +56,24 @@ class Commanding:
         if self._bodies.repertoires[0].behind:
             self._bodies.learn()
             for repertoire in self._bodies.repertoires:
-                repertoire.refresh(self._parts(repertoire))
+                repertoire.write(self._parts(repertoire))
 
     def _parts(self, repertoire: Repertoire) -> Parts:
-        """Return the records of all who perform some motions, cohort by cohort."""
-        if len(self._bodies.repertoires) == 1:
-            return [self._characters]
+        """Return all who perform some motions, cohort by cohort."""
         bodies = self._bodies.all
         return [
-            cohort.characters
+            (bodies[cohort.span.body].shelf, cohort.characters)
             for cohort in self._cohorts
             if bodies[cohort.span.body].repertoire is repertoire
         ]
 
     def _by_shelf(self, chosen: Indices) -> list[tuple[Shelf, Indices]]:
-        """Return the motions that some rows perform, and which of those rows perform them."""
-        repertoires = self._bodies.repertoires
-        if len(repertoires) == 1:
-            return [(repertoires[0].shelf, np.arange(len(chosen)))]
-        performed = self._bodies.repertoires_of(self._body_of_row[chosen])
-        return [
-            (repertoire.shelf, np.flatnonzero(performed == index))
-            for index, repertoire in enumerate(repertoires)
-        ]
+        """Return the library as each body takes it, and which of some rows have that body."""
+        bodies = self._bodies.all
+        if len(bodies) == 1:
+            return [(bodies[0].shelf, np.arange(len(chosen)))]
+        kinds = self._body_of_row[chosen]
+        return [(body.shelf, np.flatnonzero(kinds == index)) for index, body in enumerate(bodies)]
 
     def _check_action(self, action: int) -> int:
         if not 0 <= action < len(self.library.actions):
@@ -208,9 +203,9 @@ class Commanding:
 
     @property
     def shelf(self) -> Shelf:
-        """The library as the kernels take it, and its own family of bodies performs it."""
+        """The library as the kernels take it, for the body of the first cohort."""
         self._refresh()
-        return self._bodies.repertoires[0].shelf
+        return self._bodies.all[0].shelf
 
     @property
     def search(self) -> SearchMemories:

@@ -93,7 +93,7 @@ def _start_row(
 ) -> bool:
     """Start an action of one character, or seat it to wait; return whether it runs now.
 
-    A running one goes on; one that fades out rises again, unless its clip is over (S-14).
+    A running one goes on; one that fades out rises again, unless it is over (S-14).
     """
     free = NONE
     for seat in range(SEATS):
@@ -107,8 +107,7 @@ def _start_row(
                 return False
             if status == RUNNING:
                 return True
-            over = me.clip_time[seat] >= shelf.entries[action].duration
-            if shelf.entries[action].cyclic or not over:
+            if _rises(shelf, me, seat):
                 _rise_again(shelf, me, seat)
                 me.unsettled = True
                 return True
@@ -124,12 +123,23 @@ def _has_room(shelf: Shelf, me: Character, action: int) -> bool:
     for seat in range(SEATS):
         if me.status[seat] == EMPTY:
             return True
-        if me.action[seat] == action:
-            over = me.clip_time[seat] >= shelf.entries[action].duration
-            rises = shelf.entries[action].cyclic or not over
-            if me.status[seat] in (WAITING, RUNNING) or rises:
-                return True
+        stays = me.status[seat] in (WAITING, RUNNING) or _rises(shelf, me, seat)
+        if me.action[seat] == action and stays:
+            return True
     return False
+
+
+@inner_kernel
+def _rises(shelf: Shelf, me: Character, seat: int) -> bool:
+    """Return whether an action that fades out can rise again.
+
+    Not where its clip is over, nor where it has left the schedule already: its legs would go on
+    without the others. Then it starts anew, on another seat.
+    """
+    entry = shelf.entries[me.action[seat]]
+    over = me.clip_time[seat] >= entry.duration and not entry.cyclic
+    scheduled = me.synchronized and me.priorities[seat, LEGS] > 0.0
+    return not over and (me.playing[seat] or not scheduled)
 
 
 @lean_kernel

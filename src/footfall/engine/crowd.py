@@ -103,6 +103,8 @@ class Crowd(Standing, Remembering, Populating):
         poses = self._layout.poses if self.size else np.zeros(0, dtype=np.float32)
         self._characters = characters
         skeletons = [body.skeleton for body in self._bodies.all]
+        for skeleton in skeletons:
+            self._workers.workspaces(skeleton.count)
         self._layout = lay_out(spans, skeletons, characters, poses)
         self._cohorts = self._layout.cohorts
         self._body_of_row = np.repeat([s.body for s in spans], [s.rows for s in spans])
@@ -141,7 +143,7 @@ class Crowd(Standing, Remembering, Populating):
                     continue
                 body = self._bodies.all[cohort.span.body]
                 advance_blocks(
-                    body.repertoire.shelf,
+                    body.shelf,
                     self._packed_ground,
                     body.rig,
                     cohort.characters,

@@ -194,9 +194,9 @@ class Goals:
     def unreached(self) -> tuple[Unreached, ...]:
         """The goals that the last pose does not meet, and by how much."""
         far = np.argwhere((self.missed > NEAR) & (self._characters["present"] != 0)[:, np.newaxis])
+        places: list[list[int]] = far.tolist()
         return tuple(
-            Unreached(GOAL_NAMES[goal], float(self.missed[row, goal]), int(row))
-            for row, goal in far
+            Unreached(GOAL_NAMES[goal], float(self.missed[row, goal]), row) for row, goal in places
         )
 
     def meet(self, rows: slice, rotations: Rotations, positions: Positions, dt: float) -> None:

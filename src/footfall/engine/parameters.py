@@ -35,8 +35,9 @@ TURNING = 2.5
 FINEST = 1.0 / 60.0
 """Time between two mixes [s]."""
 
-Parts = Sequence[npt.NDArray[Any]]
-"""Records of all characters that an action's parameters move: a part of a crowd, or several."""
+Parts = Sequence[tuple[Shelf, npt.NDArray[Any]]]
+"""All characters that an action's parameters move: the library as their body takes it, and their
+records, shape (rows,); one body after the other."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -105,7 +106,9 @@ class Parameters:
         )
         goal = action.locomotion.checked(*asked, default=value.asked)
         self._values[index] = _Value(value.now, goal, value.supports)
-        if not any(((part["action"] == index) & (part["status"] != EMPTY)).any() for part in parts):
+        if not any(
+            ((part["action"] == index) & (part["status"] != EMPTY)).any() for _, part in parts
+        ):
             self._move(shelf, parts, action, index, goal)
 
     def advance(self, shelf: Shelf, parts: Parts, actions: Sequence[Action], dt: float) -> None:
@@ -162,8 +165,8 @@ class Parameters:
         self._values[index] = _Value(now, value.asked, mix.supports)
         old = np.array(value.supports.boundaries)
         _write_mix(shelf, index, mix)
-        for part in parts:
-            keep_places(shelf, part, index, old, np.array(mix.supports.boundaries))
+        for own, part in parts:
+            keep_places(own, part, index, old, np.array(mix.supports.boundaries))
 
 
 def _kept(parts: Parts, index: int, supports: SupportSequence) -> dict[int, Support]:
@@ -172,9 +175,9 @@ def _kept(parts: Parts, index: int, supports: SupportSequence) -> dict[int, Supp
     Of one character: a crowd plays all of them at any time, and each of its characters has the
     support of its present slot in its own record.
     """
-    if sum(map(len, parts)) > 1:
+    if sum(len(part) for _, part in parts) > 1:
         return {}
-    me = parts[0][0]
+    me = parts[0][1][0]
     playing = (me["action"] == index) & (me["playing"] != 0)
     count = len(supports.phases)
     phases = {int(phase) % count for phase in me["phases"][playing, 0]}

@@ -87,8 +87,9 @@ class Reaching(Steering):
             raise ArgumentError(f"the point of a reach is {point}; it must be finite")
         if not 0.0 < fade < float("inf"):
             raise ArgumentError(f"the fade of a reach is {fade} s; it must be finite and > 0")
-        for body in np.unique(self._body_of_row[chosen]).tolist():
-            if self._bodies.all[body].palms.arms.limbs[side, 2] < 0:
+        kinds: list[int] = np.unique(self._body_of_row[chosen]).tolist()
+        for kind in kinds:
+            if self._bodies.all[kind].palms.arms.limbs[side, 2] < 0:
                 raise SkeletonError(
                     f"the skeleton has no {hand} arm that is known by its names; it cannot reach"
                 )

@@ -53,11 +53,11 @@ class Remembering(Meeting):
             ArgumentError: If an array is missing or has another shape, or rows have other bodies.
         """
         self._refresh()
-        own = self.snapshot()
+        own, rows = self.snapshot(), len(self._body_of_row)
         needed = {name: array.shape for name, array in own.items() if not _optional(name)}
         for kind, layout, shape in (
-            (HAND, hand_type, (self._characters.shape[0], 2)),
-            (GOAL, goal_type, self._characters.shape),
+            (HAND, hand_type, (rows, 2)),
+            (GOAL, goal_type, (rows,)),
         ):
             if any(name.startswith(kind) for name in snapshot):
                 fields = {name: layout[name].shape for name in layout.names or ()}
@@ -72,7 +72,7 @@ class Remembering(Meeting):
         for number, one in enumerate(self._bodies.repertoires):
             told = {name: snapshot[f"{GAIT}{name}_{number}"] for name in ("values", "supports")}
             one.parameters.restore(one.shelf, one.library.actions, told)
-        self._empty_hands(np.arange(self._characters.shape[0]))
+        self._empty_hands(np.arange(rows))
         if HAND + "task" in needed:
             _write(HAND, self._make_hands(), snapshot)
         if GOAL + "targets" in needed:
