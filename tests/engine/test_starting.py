@@ -117,6 +117,7 @@ def test_who_has_left_the_schedule_enters_it_anew_when_started_again() -> None:
             continue
         restarted += 1
         assert isinstance(hero.start("walk-fast"), Started)
+        runs = me["status"] == RUNNING
         for _ in range(60):
             hero.advance(1 / 60)
             runs = (me["status"] == RUNNING) & (me["weights"][:SEATS, 0] > 0.05)

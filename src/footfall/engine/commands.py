@@ -133,8 +133,7 @@ def _has_room(shelf: Shelf, me: Character, action: int) -> bool:
 def _rises(shelf: Shelf, me: Character, seat: int) -> bool:
     """Return whether an action that fades out can rise again.
 
-    Not where its clip is over, nor where it has left the schedule already: its legs would go on
-    without the others. Then it starts anew, on another seat.
+    Not where its clip is over, nor where it has left the schedule: its legs would go on alone.
     """
     entry = shelf.entries[me.action[seat]]
     over = me.clip_time[seat] >= entry.duration and not entry.cyclic

@@ -145,13 +145,7 @@ class MotionLibrary(LibraryBody):
         values = parse_priority(priority)
         if not clips:
             raise ArgumentError(f"{name!r} has no clip; a locomotion needs at least one")
-        packs: list[tuple[Clip, PackedClip]] = []
-        cycles: list[GaitCycle] = []
-        for index, (clip, supports) in enumerate(clips):
-            label = f"clip {index} of {name!r}"
-            packs.append(self._packed(label, clip, supports))
-            packed, fps = packs[-1][1], packs[-1][0].fps
-            cycles.append(GaitCycle.of(label, packed.keys, packed.roots, fps, supports))
+        packs, cycles = self._packed_gaits(name, clips)
         rig = self.rig()
         gaits = Locomotion(cycles, rig.leg_sides, rig.leg_length)
         begin = gaits.checked(speed, turn)
@@ -165,7 +159,6 @@ class MotionLibrary(LibraryBody):
             lambda other: other.add_locomotion(
                 name,
                 given,
-                # Shorter legs go as many leg lengths in the same time.
                 speed=begin[0] * other.rig().leg_length / rig.leg_length,
                 turn=begin[1],
                 priority=priority,
@@ -177,6 +170,18 @@ class MotionLibrary(LibraryBody):
             Action(name, first, mix.supports, values, *fades, packed, gaits, begin, gait)
         )
         return len(self._actions) - 1
+
+    def _packed_gaits(
+        self, name: str, clips: Sequence[tuple[Clip, SupportSequence]]
+    ) -> tuple[list[tuple[Clip, PackedClip]], list[GaitCycle]]:
+        packs: list[tuple[Clip, PackedClip]] = []
+        cycles: list[GaitCycle] = []
+        for index, (clip, supports) in enumerate(clips):
+            label = f"clip {index} of {name!r}"
+            packs.append(self._packed(label, clip, supports))
+            packed, fps = packs[-1][1], packs[-1][0].fps
+            cycles.append(GaitCycle.of(label, packed.keys, packed.roots, fps, supports))
+        return packs, cycles
 
     def _check_new(self, name: str, fade_in: float, fade_out: float) -> None:
         if any(action.name == name for action in self._actions):
