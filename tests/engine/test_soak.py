@@ -8,6 +8,7 @@ from __future__ import annotations
 import os
 import time
 import tracemalloc
+from array import array
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -98,7 +99,7 @@ def test_a_long_time_of_random_commands_leaves_everything_sound() -> None:
     for name in NAMES:
         library.add(name, *ff.sample(name))
     crowd, random = ff.Crowd(library, ROWS), np.random.default_rng(5)
-    minute, drifts = Minute(), list[float]()
+    minute, drifts = Minute(), array("f")
     memory, sizes, worst = list[int](), list[float](), 0.0
     frames, ticked = round(SECONDS * FPS), 0.0
     tracemalloc.start()
@@ -117,7 +118,7 @@ def test_a_long_time_of_random_commands_leaves_everything_sound() -> None:
                 worst = max(worst, float(off.max()))
             if frame % (60 * FPS) == 60 * FPS - 1 or frame == frames - 1:
                 assert np.isfinite(crowd.world_positions).all()
-                drifts += minute.drifts(crowd)
+                drifts.extend(minute.drifts(crowd))
                 minute = Minute()
                 memory.append(tracemalloc.get_traced_memory()[0])
                 sizes.append(resident())
