@@ -201,7 +201,6 @@ class Character(Handed, Learning):
         """
         crowd = self.crowd
         crowd.advance(dt)
-        self._meet_goals(dt)
         me = crowd.characters[0]
         return Frame(
             float(me["clock"]),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 
 import numpy as np
 
@@ -14,6 +14,7 @@ from footfall.engine.priorities import parse_priority
 from footfall.engine.shelf import Shelf
 from footfall.errors import ArgumentError
 from footfall.motion import Clip
+from footfall.skeleton import Skeleton
 from footfall.skeleton.normalized import by_component
 from footfall.support import SupportSequence
 from footfall.sync.tables import Planner, SequenceTable
@@ -26,6 +27,32 @@ class MotionLibrary(LibrarySources):
 
     A new clip is appended: it touches no other, and no index ever changes.
     """
+
+    def __init__(self, *, skeleton: Skeleton | None = None, neutral: Clip | None = None) -> None:
+        """Begin an empty library; arguments as of `LibraryBody`."""
+        super().__init__(skeleton=skeleton, neutral=neutral)
+        self._additions: list[Callable[[MotionLibrary], int]] = []
+
+    def adapted(self, skeleton: Skeleton) -> MotionLibrary:
+        """Return this library as another body performs it: the same actions under the same ids.
+
+        It is made once for a body; asked for again it learns what has been added since.
+
+        Args:
+            skeleton: That very body is asked for again, of whatever family.
+
+        Raises:
+            SkeletonError: If a motion cannot be retargeted.
+        """
+        known = (one for one in self._adapted if one.skeleton is skeleton)
+        other = next(known, None)
+        if other is None:
+            other = type(self)(skeleton=skeleton)
+            other._stand_as(self)
+            self._adapted.append(other)
+        for addition in self._additions[len(other._actions) :]:
+            addition(other)
+        return other
 
     def add(
         self,
@@ -56,8 +83,20 @@ class MotionLibrary(LibrarySources):
         """
         self._check_new(name, fade_in, fade_out)
         values = parse_priority(priority)
+        given = clip
         with self._unchanged_if_refused():
             clip, packed = self._packed(repr(name), clip, supports)
+        self._given[name] = given
+        self._additions.append(
+            lambda other: other.add(
+                name,
+                self._given[name],
+                supports,
+                priority=priority,
+                fade_in=fade_in,
+                fade_out=fade_out,
+            )
+        )
         self._actions.append(Action(name, clip, supports, values, fade_in, fade_out, packed))
         return len(self._actions) - 1
 
@@ -95,14 +134,8 @@ class MotionLibrary(LibrarySources):
         values = parse_priority(priority)
         if not clips:
             raise ArgumentError(f"{name!r} has no clip; a locomotion needs at least one")
-        packs: list[tuple[Clip, PackedClip]] = []
-        cycles: list[GaitCycle] = []
         with self._unchanged_if_refused():
-            for index, (clip, supports) in enumerate(clips):
-                label = f"clip {index} of {name!r}"
-                packs.append(self._packed(label, clip, supports))
-                packed, fps = packs[-1][1], packs[-1][0].fps
-                cycles.append(GaitCycle.of(label, packed.keys, packed.roots, fps, supports))
+            packs, cycles = self._packed_gaits(name, clips)
             rig = self.rig()
             gaits = Locomotion(cycles, rig.leg_sides, rig.leg_length)
             begin = gaits.checked(speed, turn)
@@ -111,10 +144,34 @@ class MotionLibrary(LibrarySources):
         gait = tuple((clip, one[1]) for (clip, _), one in zip(packs, clips, strict=True))
         packed = packs[0][1]._replace(keys=mix.keys, roots=mix.roots, resting_heights=resting)
         fades, first = (fade_in, fade_out), packs[0][0]
+        given = tuple(clips)
+        self._additions.append(
+            lambda other: other.add_locomotion(
+                name,
+                given,
+                speed=begin[0] * other.rig().leg_length / rig.leg_length,
+                turn=begin[1],
+                priority=priority,
+                fade_in=fade_in,
+                fade_out=fade_out,
+            )
+        )
         self._actions.append(
             Action(name, first, mix.supports, values, *fades, packed, gaits, begin, gait)
         )
         return len(self._actions) - 1
+
+    def _packed_gaits(
+        self, name: str, clips: Sequence[tuple[Clip, SupportSequence]]
+    ) -> tuple[list[tuple[Clip, PackedClip]], list[GaitCycle]]:
+        packs: list[tuple[Clip, PackedClip]] = []
+        cycles: list[GaitCycle] = []
+        for index, (clip, supports) in enumerate(clips):
+            label = f"clip {index} of {name!r}"
+            packs.append(self._packed(label, clip, supports))
+            packed, fps = packs[-1][1], packs[-1][0].fps
+            cycles.append(GaitCycle.of(label, packed.keys, packed.roots, fps, supports))
+        return packs, cycles
 
     def shelf(self, planner: Planner = "footfall") -> Shelf:
         """Return the library as the kernels take it.

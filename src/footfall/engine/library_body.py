@@ -130,6 +130,16 @@ class LibraryBody:
         )
         return own / other
 
+    def _stand_as(self, other: LibraryBody) -> None:
+        """Let a character of this library that does nothing stand as one of another library.
+
+        Raises:
+            SkeletonError: If that posture cannot be retargeted.
+        """
+        if other._neutral is not None:
+            both = SupportSequence.parse("D")
+            self._neutral = self._in_family("the neutral motion", other._neutral, both)
+
     def _in_family(self, label: str, clip: Clip, supports: SupportSequence) -> Clip:
         """Return a clip on a skeleton of this library's family, its joints in their order."""
         if self._skeleton is None:

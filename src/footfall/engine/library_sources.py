@@ -2,20 +2,43 @@
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections.abc import Mapping
 from dataclasses import replace
+from typing import Self
 
 from footfall.actions import MotionSource, ask_source
-from footfall.engine.action import Action
 from footfall.engine.library_body import LibraryBody
 from footfall.engine.priorities import parse_priority
 from footfall.errors import ArgumentError
+from footfall.motion import Clip
+from footfall.skeleton import Skeleton
+from footfall.support import SupportSequence
 
 __all__ = ["LibrarySources"]
 
 
-class LibrarySources(LibraryBody):
+class LibrarySources(LibraryBody, ABC):
     """The part of a motion library that asks users' programs for their motions."""
+
+    def __init__(self, *, skeleton: Skeleton | None = None, neutral: Clip | None = None) -> None:
+        """Begin an empty library; arguments as of `LibraryBody`."""
+        super().__init__(skeleton=skeleton, neutral=neutral)
+        self._given: dict[str, Clip] = {}
+        self._adapted: list[Self] = []
+
+    @abstractmethod
+    def add(
+        self,
+        name: str,
+        clip: Clip,
+        supports: SupportSequence,
+        *,
+        priority: float | Mapping[str, float] = 1.0,
+        fade_in: float = 0.3,
+        fade_out: float = 0.3,
+    ) -> int:
+        """Add a motion, keep what was given in `_given`, and return its id."""
 
     def add_source(
         self,
@@ -46,14 +69,13 @@ class LibrarySources(LibraryBody):
             SupportSequenceError: As of `add`.
         """
         self._check_new(name, fade_in, fade_out)
-        values = parse_priority(priority)
+        parse_priority(priority)
         clip, supports = ask_source(name, source)
-        with self._unchanged_if_refused():
-            clip, packed = self._packed(repr(name), clip, supports)
-        self._actions.append(
-            Action(name, clip, supports, values, fade_in, fade_out, packed, source=source)
+        index = self.add(
+            name, clip, supports, priority=priority, fade_in=fade_in, fade_out=fade_out
         )
-        return len(self._actions) - 1
+        self._actions[index] = replace(self._actions[index], source=source)
+        return index
 
     def resample(self, name: str) -> None:
         """Ask the source of an action for its poses again; they are played from now on.
@@ -78,6 +100,15 @@ class LibrarySources(LibraryBody):
                 f"the source of {name!r} now has the supports {supports}; those it was added "
                 f"with are needed: {action.supports}"
             )
-        clip, packed = self._packed(repr(name), clip, supports)
+        self._exchange(index, clip)
+        self._given[name] = clip
+        for other in self._adapted:
+            if index < len(other._actions):
+                other._exchange(index, clip)
+
+    def _exchange(self, index: int, clip: Clip) -> None:
+        """Let an action have another motion from now on, with the same supports."""
+        action = self._actions[index]
+        clip, packed = self._packed(repr(action.name), clip, action.supports)
         self._actions[index] = replace(action, clip=clip, packed=packed)
         self._resampled += 1

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from footfall.engine.commanding import Commanding
-from footfall.engine.parameters import Parameters
 from footfall.support import SupportSequence
 
 __all__ = ["Steering"]
@@ -12,13 +11,14 @@ __all__ = ["Steering"]
 class Steering(Commanding):
     """The part of a crowd that steers what plays."""
 
-    _parameters: Parameters
+    def _steered(self) -> bool:
+        """Return whether a parameter is on its way."""
+        return any(one.parameters.moving for one in self._bodies.repertoires)
 
-    def _refresh(self) -> None:
-        known = self._known
-        super()._refresh()
-        if self._known != known:
-            self._parameters.write(self._shelf, self._characters, self.library.actions)
+    def _steer(self, dt: float) -> None:
+        """Let every parameter go on its way for a time [s]."""
+        for one in self._bodies.repertoires:
+            one.parameters.advance(one.shelf, self._parts(one), one.library.actions, dt)
 
     def set_parameters(
         self, action: int, *, speed: float | None = None, turn: float | None = None
@@ -27,7 +27,8 @@ class Steering(Commanding):
 
         Args:
             action: Its id in the library.
-            speed: Forward [m/s]; None: as it is.
+            speed: Forward, of the library's own body [m/s]; None: as it is. Others go as many
+                of their leg lengths in the same time.
             turn: To the left [rad/s]; None: as it is.
 
         Raises:
@@ -35,9 +36,11 @@ class Steering(Commanding):
                 reach the speed or the turn.
         """
         action = self._check_action(action)
-        self._parameters.ask(
-            self._shelf, self._characters, self.library.actions[action], action, (speed, turn)
-        )
+        own, *others = self._bodies.repertoires
+        own.ask(self._parts(own), action, speed, turn)
+        for other in others:
+            reached = None if speed is None else own.speed_of(other, action, speed)
+            other.ask(self._parts(other), action, reached, turn)
 
     def parameters_of(self, action: int) -> tuple[float, float]:
         """Return the speed [m/s] and the turn [rad/s] that a locomotion has by now.
@@ -46,7 +49,8 @@ class Steering(Commanding):
             ArgumentError: If the action does not exist.
         """
         action = self._check_action(action)
-        return self._parameters.of(self.library.actions[action], action)
+        own = self._bodies.repertoires[0]
+        return own.parameters.of(self.library.actions[action], action)
 
     def supports_of(self, action: int) -> SupportSequence:
         """Return what an action stands on, a locomotion at its present parameters.
@@ -55,4 +59,5 @@ class Steering(Commanding):
             ArgumentError: If the action does not exist.
         """
         action = self._check_action(action)
-        return self._parameters.supports(self.library.actions[action], action)
+        own = self._bodies.repertoires[0]
+        return own.parameters.supports(self.library.actions[action], action)

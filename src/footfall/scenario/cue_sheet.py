@@ -14,6 +14,8 @@ from typing import Any, Literal, cast
 from footfall.errors import FileFormatError, FootfallError, ScenarioError
 from footfall.scenario.cue_sheet_fields import Fields
 from footfall.scenario.entries import ActionEntry, Cue
+from footfall.scenario.goal_change import GOAL_KINDS
+from footfall.scenario.goal_fields import goal_change
 from footfall.scenario.ground_change import (
     GROUND_KINDS,
     HIGHEST,
@@ -34,7 +36,7 @@ FASTEST = 1000.0
 FASTEST_GAIT = 20.0
 """Greatest speed [m/s], and turn [rad/s], of a gait."""
 
-COMMANDS = ("start", "stop", "priority", "speed", "turn", "ground")
+COMMANDS = ("start", "stop", "priority", "speed", "turn", *GOAL_KINDS, "ground")
 """The keys of a cue, one of which it has."""
 
 WHERE = 'a file beside the scenario or "sample:walk"'
@@ -202,6 +204,9 @@ def _cues(fields: Fields, names: list[str], duration: float) -> list[Cue]:
         ]
     if commands[0] == "ground":
         return [Cue(at, "ground", ground=_ground(fields))]
+    if commands[0] in GOAL_KINDS:
+        wanted = commands[0]
+        return [Cue(at, wanted, goal=goal_change(wanted, fields.table(wanted)))]
     kind = cast(Literal["start", "stop"], commands[0])
     action = fields.choice(kind, tuple(names))
     return [Cue(at, kind, action)]

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Literal
 
+from footfall.scenario.goal_change import GoalChange, GoalKind
 from footfall.scenario.ground_change import GroundChange
 
 __all__ = ["ActionEntry", "Cue"]
@@ -67,11 +68,11 @@ class Cue:
     at: float
     """When [s]."""
 
-    kind: Literal["start", "stop", "priority", "ground", "speed", "turn"]
+    kind: Literal["start", "stop", "priority", "ground", "speed", "turn"] | GoalKind
     """What is commanded."""
 
     action: str = ""
-    """The name of the action it is about; empty where it is about the ground."""
+    """The name of the action it is about; empty where it is about the ground or a goal."""
 
     priority: Priority | None = None
     """The new priority, where it is one."""
@@ -81,3 +82,6 @@ class Cue:
 
     ground: GroundChange = LEVEL
     """How the ground is to be, where it is about it."""
+
+    goal: GoalChange | None = None
+    """What hands, eyes or seat are to meet, where it is about them."""
