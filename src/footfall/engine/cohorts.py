@@ -68,6 +68,19 @@ class Cohort:
         return np.arange(self.span.first, self.span.end)
 
 
+class Common(NamedTuple):
+    """What crowds have whose bodies all have the same number of joints: arrays of all rows."""
+
+    poses: SmallFloats
+    """As `Crowd.poses`, shape (blocks, joints, 7, 8)."""
+
+    world_positions: Positions
+    """Shape (rows, joints, 3)."""
+
+    world_rotations: Rotations
+    """Shape (rows, joints, 4)."""
+
+
 class Layout(NamedTuple):
     """Where the poses of a crowd are: those of one cohort after those of another."""
 
@@ -75,27 +88,24 @@ class Layout(NamedTuple):
     """All of them, in the order of their rows."""
 
     poses: SmallFloats
-    """The numbers of `Cohort.poses`, shape (numbers,)."""
+    """The numbers of all `Cohort.poses`, shape (numbers,)."""
 
-    world_positions: Floats
-    """Likewise of `Cohort.world_positions`."""
+    arrays: Common | None
+    """The same memory as arrays of all rows; None where bodies differ in their joints."""
 
-    world_rotations: Floats
-    """Likewise of `Cohort.world_rotations`."""
-
-    def joints(self) -> int:
-        """Return how many joints all bodies have.
+    def common(self) -> Common:
+        """Return the arrays of all rows.
 
         Raises:
-            ArgumentError: If that is not the same number.
+            ArgumentError: If bodies differ in their number of joints.
         """
-        counts = sorted({cohort.skeleton.count for cohort in self.cohorts})
-        if len(counts) > 1:
+        if self.arrays is None:
+            counts = sorted({cohort.skeleton.count for cohort in self.cohorts})
             raise ArgumentError(
                 f"bodies of {counts[0]} and of {counts[-1]} joints have no array in common; read "
                 "the crowd's cohorts one by one"
             )
-        return counts[0]
+        return self.arrays
 
 
 def blocks_of(rows: int) -> int:
@@ -150,7 +160,14 @@ def lay_out(
             )
         )
         pose, joint = pose + size, after
-    return Layout(tuple(cohorts), memory, positions, rotations)
+    arrays = None
+    if len(set(counts)) == 1:
+        arrays = Common(
+            memory.reshape(-1, counts[0], PLACEMENT, LANES),
+            positions.reshape(-1, counts[0], 3),
+            rotations.reshape(-1, counts[0], 4),
+        )
+    return Layout(tuple(cohorts), memory, arrays)
 
 
 def _rows_of(numbers: Floats, span: Span, joints: int) -> Floats:

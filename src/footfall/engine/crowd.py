@@ -26,7 +26,6 @@ from footfall.engine.workers import Workers
 from footfall.errors import ArgumentError
 from footfall.octets import LANES
 from footfall.skeleton import Skeleton
-from footfall.skeleton.octet_poses import PLACEMENT
 from footfall.skeleton.rig import Rig
 from footfall.sync.tables import Planner, rules_of
 
@@ -125,7 +124,7 @@ class Crowd(Standing, Remembering, Populating):
             raise ArgumentError(f"dt is {dt} s; it must be finite and >= 0")
         self._refresh()
         left = float(dt)
-        while self._steered() and left > FINEST:
+        while left > FINEST and self._steered():
             self._step(FINEST)
             left -= FINEST
         self._step(left)
@@ -210,7 +209,7 @@ class Crowd(Standing, Remembering, Populating):
         Raises:
             ArgumentError: If there are bodies of different numbers of joints; read `cohorts`.
         """
-        return self._layout.poses.reshape(-1, self._layout.joints(), PLACEMENT, LANES)
+        return self._layout.common().poses
 
     @property
     def world_positions(self) -> Positions:
@@ -222,13 +221,13 @@ class Crowd(Standing, Remembering, Populating):
             ArgumentError: As `poses`.
         """
         self._in_world()
-        return self._layout.world_positions.reshape(-1, self._layout.joints(), 3)
+        return self._layout.common().world_positions
 
     @property
     def world_rotations(self) -> Rotations:
         """Joints in the world, shape (rows, joints, 4); likewise."""
         self._in_world()
-        return self._layout.world_rotations.reshape(-1, self._layout.joints(), 4)
+        return self._layout.common().world_rotations
 
     @property
     def cohorts(self) -> tuple[Cohort, ...]:
