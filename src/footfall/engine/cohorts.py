@@ -1,7 +1,7 @@
-"""Cohorts: rows of a crowd, side by side, whose characters have one body.
+"""Cohorts: rows of a crowd, side by side, whose characters have one body and one ground.
 
 Eight characters are placed at once, by one body: so a cohort begins where a block of eight does,
-and rows before it that would be of two bodies stay empty.
+and rows before it that would be of two cohorts stay empty.
 """
 
 from __future__ import annotations
@@ -23,10 +23,13 @@ __all__ = ["Cohort", "Layout", "Span", "blocks_of", "lay_out", "with_more"]
 
 
 class Span(NamedTuple):
-    """Which rows have which body."""
+    """Which rows have which body, on which ground."""
 
     body: int
     """Number of the body."""
+
+    ground: int
+    """Number of the ground."""
 
     first: int
     """The first row; the first of a block."""
@@ -42,7 +45,7 @@ class Span(NamedTuple):
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Cohort:
-    """Characters of one body; all arrays are views of the crowd's own memory."""
+    """Characters of one body on one ground; all arrays are views of the crowd's own memory."""
 
     span: Span
     """Which rows of the crowd these are, and the number of their body."""
@@ -113,15 +116,13 @@ def blocks_of(rows: int) -> int:
     return -(-rows // LANES)
 
 
-def with_more(spans: Sequence[Span], body: int, count: int) -> list[Span]:
-    """Return spans with so many more rows of a body at their end."""
-    if not spans:
-        return [Span(body, 0, count)]
+def with_more(spans: Sequence[Span], body: int, ground: int, count: int) -> list[Span]:
+    """Return spans, at least one, with so many more rows of a body on a ground at their end."""
     *others, last = spans
-    if last.body == body:
+    if (last.body, last.ground) == (body, ground):
         return [*others, last._replace(rows=last.rows + count)]
     full = last._replace(rows=LANES * blocks_of(last.end) - last.first)
-    return [*others, full, Span(body, full.end, count)]
+    return [*others, full, Span(body, ground, full.end, count)]
 
 
 def lay_out(

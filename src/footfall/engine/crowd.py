@@ -91,9 +91,10 @@ class Crowd(Standing, Remembering, Populating):
         self._newborn["printed"] = footprints and synchronized
         self._newborn["flight"] = flight_of(flight)
         self._characters = self._newborn[:0]
-        self._make_room([Span(0, 0, size)])
+        self._grounds, self._packed_grounds = [], []
+        self._stand_on(Plane() if ground is None else ground)
+        self._make_room([Span(0, 0, 0, size)])
         self._characters["present"] = 1
-        self.ground = Plane() if ground is None else ground
 
     def _make_room(self, spans: Sequence[Span]) -> None:
         characters = np.repeat(self._newborn, spans[-1].end)
@@ -107,6 +108,7 @@ class Crowd(Standing, Remembering, Populating):
         self._layout = lay_out(spans, skeletons, characters, poses)
         self._cohorts = self._layout.cohorts
         self._body_of_row = np.repeat([s.body for s in spans], [s.rows for s in spans])
+        self._ground_of_row = np.repeat([s.ground for s in spans], [s.rows for s in spans])
         self._make_hands_room(len(characters))
         self._make_goals_room()
         self._stale = True
@@ -143,7 +145,7 @@ class Crowd(Standing, Remembering, Populating):
                 body = self._bodies.all[cohort.span.body]
                 advance_blocks(
                     body.shelf,
-                    self._packed_ground,
+                    self._packed_grounds[cohort.span.ground],
                     body.rig,
                     cohort.characters,
                     self._workers.workspaces(body.skeleton.count)[thread],
@@ -196,8 +198,8 @@ class Crowd(Standing, Remembering, Populating):
 
     @property
     def packed_ground(self) -> Ground:
-        """What they stand on, as the kernels take it."""
-        return self._packed_ground
+        """What the first cohort stands on, as the kernels take it."""
+        return self._packed_grounds[self._cohorts[0].span.ground]
 
     @property
     def poses(self) -> SmallFloats:
