@@ -184,11 +184,20 @@ def test_an_action_that_is_added_later_is_known_to_all_bodies() -> None:
     crowd = ff.Crowd(library, 1)
     (robot,) = crowd.spawn(1, body=ROBOT).tolist()
     crowd.advance(DT)
+    wave = library.add_layer("wave", ff.sample("punch")[0])
     run = library.add("run", *ff.sample("run"))
     assert crowd.start(run).all()
     crowd.advance(DT)
     assert (crowd.characters["action"][[0, robot], 0] == run).all()
     assert library.adapted(ROBOT).actions[run].name == "run"
+    crowd.start_layer(wave)
+    alone = ff.Crowd(library, 1, skeleton=ROBOT)
+    alone.characters[:] = crowd.characters[[robot]]
+    for _ in range(20):
+        crowd.advance(DT)
+        alone.advance(DT)
+    assert crowd.layer_weights(wave)[[0, robot]] == pytest.approx(1.0)
+    assert np.array_equal(relative(crowd, robot), relative(alone, 0))
 
 
 def gaits() -> ff.MotionLibrary:

@@ -31,13 +31,13 @@ class Repertoire:
 
     @property
     def behind(self) -> bool:
-        """Whether the library has learned actions since."""
-        return len(self.library.actions) != self._known
+        """Whether the library has learned something since."""
+        return self.library.size != self._known
 
     def pack(self) -> None:
         """Pack the motions that the library has by now."""
         self.shelf: Shelf = self.library.shelf(self._planner)
-        self._known = len(self.library.actions)
+        self._known = self.library.size
 
     def write(self, parts: Parts) -> None:
         """Write the mix of every gait that has been steered, after `pack`.

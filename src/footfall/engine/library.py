@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 
 from footfall.actions import GaitCycle, Locomotion
 from footfall.engine.action import Action, entries_of
-from footfall.engine.library_body import LibraryBody
+from footfall.engine.layer import layer_shelf_of
+from footfall.engine.library_layers import LibraryLayers
 from footfall.engine.packing import PackedClip
 from footfall.engine.priorities import parse_priority
 from footfall.engine.shelf import Shelf
@@ -23,20 +23,14 @@ from footfall.sync.tables import Planner, SequenceTable
 __all__ = ["Action", "MotionLibrary"]
 
 
-class MotionLibrary(LibraryBody):
+class MotionLibrary(LibraryLayers):
     """Actions of one skeleton family, packed for the kernels.
 
     A new clip is appended: it touches no other, and no index ever changes.
     """
 
-    def __init__(self, *, skeleton: Skeleton | None = None, neutral: Clip | None = None) -> None:
-        """Begin an empty library; arguments as of `LibraryBody`."""
-        super().__init__(skeleton=skeleton, neutral=neutral)
-        self._additions: list[Callable[[MotionLibrary], int]] = []
-        self._adapted: list[MotionLibrary] = []
-
     def adapted(self, skeleton: Skeleton) -> MotionLibrary:
-        """Return this library as another body performs it: the same actions under the same ids.
+        """Return this library as another body performs it: all its actions and layers by their ids.
 
         It is made once for a body; asked for again it learns what has been added since.
 
@@ -46,13 +40,12 @@ class MotionLibrary(LibraryBody):
         Raises:
             SkeletonError: If a motion cannot be retargeted.
         """
-        known = (one for one in self._adapted if one.skeleton is skeleton)
-        other = next(known, None)
+        other = next((one for one in self._adapted if one.skeleton is skeleton), None)
         if other is None:
             other = MotionLibrary(skeleton=skeleton)
             other._stand_as(self)
             self._adapted.append(other)
-        for addition in self._additions[len(other._actions) :]:
+        for addition in self._additions[other.size :]:
             addition(other)
         return other
 
@@ -183,13 +176,6 @@ class MotionLibrary(LibraryBody):
             cycles.append(GaitCycle.of(label, packed.keys, packed.roots, fps, supports))
         return packs, cycles
 
-    def _check_new(self, name: str, fade_in: float, fade_out: float) -> None:
-        if any(action.name == name for action in self._actions):
-            raise ArgumentError(f"there already is an action named {name!r}; names must differ")
-        for label, seconds in (("fade_in", fade_in), ("fade_out", fade_out)):
-            if not (math.isfinite(seconds) and seconds >= 0.0):
-                raise ArgumentError(f"{label} of {name!r} is {seconds} s; it must be >= 0")
-
     def shelf(self, planner: Planner = "footfall") -> Shelf:
         """Return the library as the kernels take it.
 
@@ -215,4 +201,5 @@ class MotionLibrary(LibraryBody):
             points=rig.foot_points / rig.leg_length,
             use_paper_cubic=planner == "paper",
             joints=joints,
+            layers=layer_shelf_of(self._layers, joints),
         )

@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from typing import Any
+
 from footfall.arrays import Floats, SmallFloats
 from footfall.engine.action import Action, check_supports
+from footfall.engine.layer import Layer
 from footfall.engine.packing import PackedClip, carrying_feet, pack_clip, pack_standing
 from footfall.errors import ArgumentError, SkeletonError
 from footfall.motion import Clip, with_soles
@@ -28,6 +32,9 @@ class LibraryBody:
         """
         self._neutral = neutral
         self._actions: list[Action] = []
+        self._layers: list[Layer] = []
+        self._additions: list[Callable[[Any], int]] = []
+        self._adapted: list[Any] = []
         self._skeleton = skeleton
         self._anatomy: Anatomy | None = None
         self._standing: SmallFloats | None = None
