@@ -19,7 +19,7 @@ from footfall.octets import LANES
 from footfall.skeleton import Skeleton
 from footfall.skeleton.octet_poses import PLACEMENT
 
-__all__ = ["Cohort", "Layout", "Span", "blocks_of", "lay_out", "with_more"]
+__all__ = ["Cohort", "Common", "Layout", "Span", "blocks_of", "lay_out", "with_more"]
 
 
 class Span(NamedTuple):
