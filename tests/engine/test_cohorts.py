@@ -112,9 +112,9 @@ def test_rows_of_another_body_begin_with_a_block(library: ff.MotionLibrary) -> N
     assert crowd.spawn(1, body=scaled(0.6)).tolist() == [8]
     assert crowd.spawn(2).tolist() == [1, 17]
     assert [cohort.span for cohort in crowd.cohorts] == [
-        Span(0, 0, 8),
-        Span(1, 8, 8),
-        Span(0, 16, 2),
+        Span(0, 0, 0, 8),
+        Span(1, 0, 8, 8),
+        Span(0, 0, 16, 2),
     ]
     assert len(crowd.bodies) == 2
     crowd.advance(DT)
@@ -125,14 +125,15 @@ def test_rows_of_another_body_begin_with_a_block(library: ff.MotionLibrary) -> N
 @pytest.mark.parametrize("body", [0, 1])
 @pytest.mark.parametrize("rows", range(1, 18))
 def test_more_rows_leave_those_that_are_there(rows: int, body: int) -> None:
-    spans = with_more([Span(0, 0, rows)], body, 3)
+    spans = with_more([Span(0, 0, 0, rows)], body, 0, 3)
+    assert with_more([Span(0, 0, 0, rows)], 0, body, 3)[-1].ground == body
     if body == 0:
-        assert spans == [Span(0, 0, rows + 3)]
+        assert spans == [Span(0, 0, 0, rows + 3)]
         return
     first, second = spans
     assert first.rows >= rows
     assert (first.first, first.rows % 8, first.rows - rows < 8) == (0, 0, True)
-    assert second == Span(1, first.rows, 3)
+    assert second == Span(1, 0, first.rows, 3)
 
 
 def test_bodies_of_other_joints_have_no_array_in_common(library: ff.MotionLibrary) -> None:
@@ -183,11 +184,20 @@ def test_an_action_that_is_added_later_is_known_to_all_bodies() -> None:
     crowd = ff.Crowd(library, 1)
     (robot,) = crowd.spawn(1, body=ROBOT).tolist()
     crowd.advance(DT)
+    wave = library.add_layer("wave", ff.sample("punch")[0])
     run = library.add("run", *ff.sample("run"))
     assert crowd.start(run).all()
     crowd.advance(DT)
     assert (crowd.characters["action"][[0, robot], 0] == run).all()
     assert library.adapted(ROBOT).actions[run].name == "run"
+    crowd.start_layer(wave)
+    alone = ff.Crowd(library, 1, skeleton=ROBOT)
+    alone.characters[:] = crowd.characters[[robot]]
+    for _ in range(20):
+        crowd.advance(DT)
+        alone.advance(DT)
+    assert crowd.layer_weights(wave)[[0, robot]] == pytest.approx(1.0)
+    assert np.array_equal(relative(crowd, robot), relative(alone, 0))
 
 
 def gaits() -> ff.MotionLibrary:
@@ -254,10 +264,36 @@ def test_a_snapshot_of_other_bodies_is_refused(library: ff.MotionLibrary) -> Non
     for crowd, bodies in ((one, (0.6, 1.6)), (other, (1.6, 0.6))):
         for factor in bodies:
             crowd.spawn(8, body=scaled(factor))
-    other.spawn(8)
-    one.spawn(8, body=scaled(1.6))
     with pytest.raises(ArgumentError) as caught:
         one.restore(other.snapshot())
     assert str(caught.value) == (
-        "a snapshot of rows with other bodies; first spawn the same ones in the same order"
+        "a snapshot of rows of other bodies or grounds; first spawn the same ones in the same order"
     )
+
+
+def test_rows_stand_on_grounds_of_their_own(library: ff.MotionLibrary) -> None:
+    ramp, high = ff.Plane(slope=(0.0, 0.15)), ff.Plane(1.5)
+    crowd = ff.Crowd(library, 3)
+    steep = crowd.spawn(2, ground=ramp)
+    raised = crowd.spawn(2, ground=high, body=scaled(0.6))
+    assert crowd.spawn(1, ground=ramp).tolist() == [int(steep[-1]) + 1]
+    alone = {
+        0: ff.Crowd(library, 1),
+        int(steep[1]): ff.Crowd(library, 1, ground=ramp),
+        int(raised[0]): ff.Crowd(library, 1, ground=high, skeleton=scaled(0.6)),
+    }
+    assert [crowd.ground_of_row[row] for row in alone] == [crowd.ground, ramp, high]
+    lower = ff.Plane(1.2)
+    for frame in range(120):
+        if frame == 60:
+            crowd.exchange_ground(lower, rise=-0.3, instead_of=high)
+            alone[int(raised[0])].exchange_ground(lower, rise=-0.3)
+        for one in (crowd, *alone.values()):
+            command(one, frame, None)
+            one.advance(DT)
+        for row, one in alone.items():
+            assert np.array_equal(crowd.world_positions[row], one.world_positions[0])
+    assert crowd.world_positions[raised[0], :, 1].min() == pytest.approx(1.2, abs=0.05)
+    with pytest.raises(ArgumentError) as caught:
+        crowd.exchange_ground(ramp, instead_of=high)
+    assert str(caught.value) == f"nobody stands on {high}; exchange what somebody stands on"

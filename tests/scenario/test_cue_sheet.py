@@ -74,7 +74,9 @@ BAD = {
     "fps = 0\n": "fps is 0; it must be a number, above 0 and at most 1000",
     "fps = inf\n": "fps is inf; it must be a number, above 0 and at most 1000",
     "duration = true\n": "duration is True; it must be a number, above 0 and at most 3600",
-    "colour = 1\n": "no key named 'colour'; there are: fps, duration, body, planner, action, cue",
+    "colour = 1\n": (
+        "no key named 'colour'; there are: fps, duration, body, planner, action, layer, cue"
+    ),
     'planner = "best"\n': "planner is 'best'; there are: footfall, paper",
     'body = ""\n': "body is ''; it must be a text, not empty",
 }
@@ -172,12 +174,12 @@ BAD_CUES = {
         "no key named 'weight' in cue[0].drop; there are: goal, fade"
     ),
     "[[cue]]\nat = 1\n": (
-        "cue[0] has no command; it must have one of start, stop, priority, speed, turn, reach, "
-        "join_hands, look_at, sit, drop and ground"
+        "cue[0] has no command; it must have one of start, stop, priority, speed, turn, layer, "
+        "reach, join_hands, look_at, sit, drop and ground"
     ),
     "[[cue]]\nat = 1\nstart = 'walk'\nstop = 'walk'\n": (
         "cue[0] has start and stop; it must have one of start, stop, "
-        "priority, speed, turn, reach, join_hands, look_at, sit, drop and ground"
+        "priority, speed, turn, layer, reach, join_hands, look_at, sit, drop and ground"
     ),
 }
 

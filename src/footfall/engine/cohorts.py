@@ -1,7 +1,7 @@
-"""Cohorts: rows of a crowd, side by side, whose characters have one body.
+"""Cohorts: rows of a crowd, side by side, whose characters have one body and one ground.
 
 Eight characters are placed at once, by one body: so a cohort begins where a block of eight does,
-and rows before it that would be of two bodies stay empty.
+and rows before it that would be of two cohorts stay empty.
 """
 
 from __future__ import annotations
@@ -19,14 +19,17 @@ from footfall.octets import LANES
 from footfall.skeleton import Skeleton
 from footfall.skeleton.octet_poses import PLACEMENT
 
-__all__ = ["Cohort", "Layout", "Span", "blocks_of", "lay_out", "with_more"]
+__all__ = ["Cohort", "Common", "Layout", "Span", "blocks_of", "lay_out", "with_more"]
 
 
 class Span(NamedTuple):
-    """Which rows have which body."""
+    """Which rows have which body, on which ground."""
 
     body: int
     """Number of the body."""
+
+    ground: int
+    """Number of the ground."""
 
     first: int
     """The first row; the first of a block."""
@@ -42,7 +45,7 @@ class Span(NamedTuple):
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Cohort:
-    """Characters of one body; all arrays are views of the crowd's own memory."""
+    """Characters of one body on one ground; all arrays are views of the crowd's own memory."""
 
     span: Span
     """Which rows of the crowd these are, and the number of their body."""
@@ -68,6 +71,19 @@ class Cohort:
         return np.arange(self.span.first, self.span.end)
 
 
+class Common(NamedTuple):
+    """What crowds have whose bodies all have the same number of joints: arrays of all rows."""
+
+    poses: SmallFloats
+    """As `Crowd.poses`, shape (blocks, joints, 7, 8)."""
+
+    world_positions: Positions
+    """Shape (rows, joints, 3)."""
+
+    world_rotations: Rotations
+    """Shape (rows, joints, 4)."""
+
+
 class Layout(NamedTuple):
     """Where the poses of a crowd are: those of one cohort after those of another."""
 
@@ -75,27 +91,24 @@ class Layout(NamedTuple):
     """All of them, in the order of their rows."""
 
     poses: SmallFloats
-    """The numbers of `Cohort.poses`, shape (numbers,)."""
+    """The numbers of all `Cohort.poses`, shape (numbers,)."""
 
-    world_positions: Floats
-    """Likewise of `Cohort.world_positions`."""
+    arrays: Common | None
+    """The same memory as arrays of all rows; None where bodies differ in their joints."""
 
-    world_rotations: Floats
-    """Likewise of `Cohort.world_rotations`."""
-
-    def joints(self) -> int:
-        """Return how many joints all bodies have.
+    def common(self) -> Common:
+        """Return the arrays of all rows.
 
         Raises:
-            ArgumentError: If that is not the same number.
+            ArgumentError: If bodies differ in their number of joints.
         """
-        counts = sorted({cohort.skeleton.count for cohort in self.cohorts})
-        if len(counts) > 1:
+        if self.arrays is None:
+            counts = sorted({cohort.skeleton.count for cohort in self.cohorts})
             raise ArgumentError(
                 f"bodies of {counts[0]} and of {counts[-1]} joints have no array in common; read "
                 "the crowd's cohorts one by one"
             )
-        return counts[0]
+        return self.arrays
 
 
 def blocks_of(rows: int) -> int:
@@ -103,15 +116,13 @@ def blocks_of(rows: int) -> int:
     return -(-rows // LANES)
 
 
-def with_more(spans: Sequence[Span], body: int, count: int) -> list[Span]:
-    """Return spans with so many more rows of a body at their end."""
-    if not spans:
-        return [Span(body, 0, count)]
+def with_more(spans: Sequence[Span], body: int, ground: int, count: int) -> list[Span]:
+    """Return spans, at least one, with so many more rows of a body on a ground at their end."""
     *others, last = spans
-    if last.body == body:
+    if (last.body, last.ground) == (body, ground):
         return [*others, last._replace(rows=last.rows + count)]
     full = last._replace(rows=LANES * blocks_of(last.end) - last.first)
-    return [*others, full, Span(body, full.end, count)]
+    return [*others, full, Span(body, ground, full.end, count)]
 
 
 def lay_out(
@@ -150,7 +161,14 @@ def lay_out(
             )
         )
         pose, joint = pose + size, after
-    return Layout(tuple(cohorts), memory, positions, rotations)
+    arrays = None
+    if len(set(counts)) == 1:
+        arrays = Common(
+            memory.reshape(-1, counts[0], PLACEMENT, LANES),
+            positions.reshape(-1, counts[0], 3),
+            rotations.reshape(-1, counts[0], 4),
+        )
+    return Layout(tuple(cohorts), memory, arrays)
 
 
 def _rows_of(numbers: Floats, span: Span, joints: int) -> Floats:

@@ -26,7 +26,6 @@ from footfall.engine.workers import Workers
 from footfall.errors import ArgumentError
 from footfall.octets import LANES
 from footfall.skeleton import Skeleton
-from footfall.skeleton.octet_poses import PLACEMENT
 from footfall.skeleton.rig import Rig
 from footfall.sync.tables import Planner, rules_of
 
@@ -92,9 +91,10 @@ class Crowd(Standing, Remembering, Populating):
         self._newborn["printed"] = footprints and synchronized
         self._newborn["flight"] = flight_of(flight)
         self._characters = self._newborn[:0]
-        self._make_room([Span(0, 0, size)])
+        self._grounds, self._packed_grounds = [], []
+        self._stand_on(Plane() if ground is None else ground)
+        self._make_room([Span(0, 0, 0, size)])
         self._characters["present"] = 1
-        self.ground = Plane() if ground is None else ground
 
     def _make_room(self, spans: Sequence[Span]) -> None:
         characters = np.repeat(self._newborn, spans[-1].end)
@@ -108,6 +108,7 @@ class Crowd(Standing, Remembering, Populating):
         self._layout = lay_out(spans, skeletons, characters, poses)
         self._cohorts = self._layout.cohorts
         self._body_of_row = np.repeat([s.body for s in spans], [s.rows for s in spans])
+        self._ground_of_row = np.repeat([s.ground for s in spans], [s.rows for s in spans])
         self._make_hands_room(len(characters))
         self._make_goals_room()
         self._stale = True
@@ -125,7 +126,7 @@ class Crowd(Standing, Remembering, Populating):
             raise ArgumentError(f"dt is {dt} s; it must be finite and >= 0")
         self._refresh()
         left = float(dt)
-        while self._steered() and left > FINEST:
+        while left > FINEST and self._steered():
             self._step(FINEST)
             left -= FINEST
         self._step(left)
@@ -144,7 +145,7 @@ class Crowd(Standing, Remembering, Populating):
                 body = self._bodies.all[cohort.span.body]
                 advance_blocks(
                     body.shelf,
-                    self._packed_ground,
+                    self._packed_grounds[cohort.span.ground],
                     body.rig,
                     cohort.characters,
                     self._workers.workspaces(body.skeleton.count)[thread],
@@ -197,8 +198,8 @@ class Crowd(Standing, Remembering, Populating):
 
     @property
     def packed_ground(self) -> Ground:
-        """What they stand on, as the kernels take it."""
-        return self._packed_ground
+        """What the first cohort stands on, as the kernels take it."""
+        return self._packed_grounds[self._cohorts[0].span.ground]
 
     @property
     def poses(self) -> SmallFloats:
@@ -210,7 +211,7 @@ class Crowd(Standing, Remembering, Populating):
         Raises:
             ArgumentError: If there are bodies of different numbers of joints; read `cohorts`.
         """
-        return self._layout.poses.reshape(-1, self._layout.joints(), PLACEMENT, LANES)
+        return self._layout.common().poses
 
     @property
     def world_positions(self) -> Positions:
@@ -222,13 +223,13 @@ class Crowd(Standing, Remembering, Populating):
             ArgumentError: As `poses`.
         """
         self._in_world()
-        return self._layout.world_positions.reshape(-1, self._layout.joints(), 3)
+        return self._layout.common().world_positions
 
     @property
     def world_rotations(self) -> Rotations:
         """Joints in the world, shape (rows, joints, 4); likewise."""
         self._in_world()
-        return self._layout.world_rotations.reshape(-1, self._layout.joints(), 4)
+        return self._layout.common().world_rotations
 
     @property
     def cohorts(self) -> tuple[Cohort, ...]:

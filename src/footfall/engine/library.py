@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 
 from footfall.actions import GaitCycle, Locomotion
 from footfall.engine.action import Action, entries_of
+from footfall.engine.layer import layer_shelf_of
 from footfall.engine.library_sources import LibrarySources
 from footfall.engine.packing import PackedClip
 from footfall.engine.priorities import parse_priority
@@ -28,13 +29,8 @@ class MotionLibrary(LibrarySources):
     A new clip is appended: it touches no other, and no index ever changes.
     """
 
-    def __init__(self, *, skeleton: Skeleton | None = None, neutral: Clip | None = None) -> None:
-        """Begin an empty library; arguments as of `LibraryBody`."""
-        super().__init__(skeleton=skeleton, neutral=neutral)
-        self._additions: list[Callable[[MotionLibrary], int]] = []
-
     def adapted(self, skeleton: Skeleton) -> MotionLibrary:
-        """Return this library as another body performs it: the same actions under the same ids.
+        """Return this library as another body performs it: all its actions and layers by their ids.
 
         It is made once for a body; asked for again it learns what has been added since.
 
@@ -44,13 +40,12 @@ class MotionLibrary(LibrarySources):
         Raises:
             SkeletonError: If a motion cannot be retargeted.
         """
-        known = (one for one in self._adapted if one.skeleton is skeleton)
-        other = next(known, None)
+        other = next((one for one in self._adapted if one.skeleton is skeleton), None)
         if other is None:
             other = type(self)(skeleton=skeleton)
             other._stand_as(self)
             self._adapted.append(other)
-        for addition in self._additions[len(other._actions) :]:
+        for addition in self._additions[other.size :]:
             addition(other)
         return other
 
@@ -198,4 +193,5 @@ class MotionLibrary(LibrarySources):
             points=rig.foot_points / rig.leg_length,
             use_paper_cubic=planner == "paper",
             joints=joints,
+            layers=layer_shelf_of(self._layers, joints),
         )

@@ -5,27 +5,24 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Mapping
 from dataclasses import replace
-from typing import Self
 
 from footfall.actions import MotionSource, ask_source
-from footfall.engine.library_body import LibraryBody
+from footfall.engine.library_layers import LibraryLayers
 from footfall.engine.priorities import parse_priority
 from footfall.errors import ArgumentError
 from footfall.motion import Clip
-from footfall.skeleton import Skeleton
 from footfall.support import SupportSequence
 
 __all__ = ["LibrarySources"]
 
 
-class LibrarySources(LibraryBody, ABC):
+class LibrarySources(LibraryLayers, ABC):
     """The part of a motion library that asks users' programs for their motions."""
 
-    def __init__(self, *, skeleton: Skeleton | None = None, neutral: Clip | None = None) -> None:
-        """Begin an empty library; arguments as of `LibraryBody`."""
-        super().__init__(skeleton=skeleton, neutral=neutral)
-        self._given: dict[str, Clip] = {}
-        self._adapted: list[Self] = []
+    @property
+    def revision(self) -> int:
+        """A number that grows whenever an action or a layer is added, or its motion changes."""
+        return self.size + self._resampled
 
     @abstractmethod
     def add(

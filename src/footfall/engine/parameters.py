@@ -73,7 +73,9 @@ class Parameters:
     @property
     def moving(self) -> bool:
         """Whether a parameter is on its way."""
-        return any(value.now != value.asked for value in self._values.values())
+        return bool(self._values) and any(
+            value.now != value.asked for value in self._values.values()
+        )
 
     def of(self, action: Action, index: int) -> tuple[float, float]:
         """Return the speed [m/s] and the turn [rad/s] that an action has now."""

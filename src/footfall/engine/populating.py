@@ -9,6 +9,7 @@ from typing import Any, Literal
 import numpy as np
 import numpy.typing as npt
 
+from footfall.adaptation import AnyGround
 from footfall.arrays import Flags, Indices
 from footfall.engine.bodies import Bodies
 from footfall.engine.cohorts import Cohort, Span, with_more
@@ -34,10 +35,15 @@ class Populating(ABC):
     _bodies: Bodies
     _cohorts: tuple[Cohort, ...]
     _body_of_row: Indices
+    _ground_of_row: Indices
 
     @abstractmethod
     def _make_room(self, spans: Sequence[Span]) -> None:
         """Let the arrays have the rows of some spans; nobody is in the new ones."""
+
+    @abstractmethod
+    def _stand_on(self, ground: AnyGround) -> int:
+        """Return the number of a ground, which becomes one of the crowd if it is not yet."""
 
     @abstractmethod
     def _empty_hands(self, rows: Indices) -> None:
@@ -60,14 +66,15 @@ class Populating(ABC):
         heading: npt.ArrayLike = 0.0,
         *,
         body: Skeleton | None = None,
+        ground: AnyGround | None = None,
     ) -> Indices:
         """Let more characters come; they do nothing yet.
 
-        Rows of characters of that body that have been removed are used first. Where there are
-        more, all arrays are made anew: views of them, taken before, no longer follow.
+        Rows of characters that are gone are used first, of that body and on that ground. Where
+        there are more, all arrays are made anew: views of them, taken before, no longer follow.
 
-        Those of one body are worked on eight at a time: where the last row has another one, up to
-        seven rows stay empty before the new ones. Who is spawned together costs least.
+        Those alike are worked on eight at a time: where the last row is of others, up to seven
+        rows stay empty before the new ones. Who is spawned together costs least.
 
         Args:
             count: How many, >= 0.
@@ -75,6 +82,8 @@ class Populating(ABC):
             heading: Yaw [rad], 0 facing +z, shape () or (count,).
             body: Theirs; by default that of the crowd. Of the library's family, or any other one
                 that its motions can be retargeted to, which is done when it comes first.
+            ground: What they stand on; by default what the crowd does. It is theirs until it is
+                exchanged: see `exchange_ground`.
 
         Returns:
             Their rows, which never change while they are here, shape (count,).
@@ -88,10 +97,12 @@ class Populating(ABC):
         born = np.repeat(self._newborn, count)
         place_characters(born, np.arange(count), position, heading)
         kind = self._bodies.index_of(body)
-        rows = np.flatnonzero(~self.present & (self._body_of_row == kind))[:count]
+        floor = 0 if ground is None else self._stand_on(ground)
+        alike = (self._body_of_row == kind) & (self._ground_of_row == floor)
+        rows = np.flatnonzero(~self.present & alike)[:count]
         if len(rows) < count:
             lacking = count - len(rows)
-            spans = with_more([cohort.span for cohort in self._cohorts], kind, lacking)
+            spans = with_more([cohort.span for cohort in self._cohorts], kind, floor, lacking)
             self._make_room(spans)
             rows = np.concatenate([rows, self.size + np.arange(-lacking, 0)])
         self._characters[rows] = born

@@ -31,10 +31,12 @@ class Remembering(Meeting):
     def snapshot(self) -> dict[str, npt.NDArray[Any]]:
         """Return all that the crowd remembers, as plain arrays that can be saved.
 
-        The library, the bodies themselves and the ground are not in it.
+        The library, the bodies themselves and the grounds are not in it.
         """
         arrays = _fields("", self._characters)
-        arrays |= {"poses": self._layout.poses.copy(), "body_of_row": self._body_of_row.copy()}
+        arrays["poses"] = self._layout.poses.copy()
+        arrays["cohorts"] = np.array([cohort.span for cohort in self._cohorts])
+        arrays["leg_lengths"] = np.array([body.rig.leg_length for body in self._bodies.all])
         for number, one in enumerate(self._bodies.repertoires):
             told = one.parameters.snapshot(one.shelf, one.library.actions)
             arrays |= {f"{GAIT}{name}_{number}": array for name, array in told.items()}
@@ -63,9 +65,10 @@ class Remembering(Meeting):
                 fields = {name: layout[name].shape for name in layout.names or ()}
                 needed |= {kind + name: (*shape, *inner) for name, inner in fields.items()}
         _check(snapshot, needed)
-        if (snapshot["body_of_row"] != self._body_of_row).any():
+        if any((snapshot[name] != own[name]).any() for name in ("cohorts", "leg_lengths")):
             raise ArgumentError(
-                "a snapshot of rows with other bodies; first spawn the same ones in the same order"
+                "a snapshot of rows of other bodies or grounds; first spawn the same ones in the "
+                "same order"
             )
         _write("", self._characters, snapshot)
         self._layout.poses[:] = snapshot["poses"]

@@ -2,18 +2,22 @@
 
 from __future__ import annotations
 
-from footfall.engine.commanding import Commanding
+from footfall.engine.layering import Layering
 from footfall.support import SupportSequence
 
 __all__ = ["Steering"]
 
 
-class Steering(Commanding):
+class Steering(Layering):
     """The part of a crowd that steers what plays."""
 
     def _steered(self) -> bool:
         """Return whether a parameter is on its way."""
-        return any(one.parameters.moving for one in self._bodies.repertoires)
+        # A loop, since this is asked in every frame: a generator takes longer than the answer.
+        for one in self._bodies.repertoires:  # noqa: SIM110
+            if one.parameters.moving:
+                return True
+        return False
 
     def _steer(self, dt: float) -> None:
         """Let every parameter go on its way for a time [s]."""
