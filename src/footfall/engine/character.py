@@ -12,6 +12,7 @@ from footfall.engine.crowd import Crowd
 from footfall.engine.flight import Flight
 from footfall.engine.handed import Handed
 from footfall.engine.inspection import ActionState, action_states, present_schedule
+from footfall.engine.layered import Layered
 from footfall.engine.learning import Learning
 from footfall.engine.library import MotionLibrary
 from footfall.engine.refusals import Late
@@ -27,7 +28,7 @@ from footfall.sync.tables import Planner
 __all__ = ["Character"]
 
 
-class Character(Handed, Learning):
+class Character(Layered, Handed, Learning):
     """A body that performs actions which start and stop at any moment."""
 
     def __init__(

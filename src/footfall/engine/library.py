@@ -8,6 +8,7 @@ import numpy as np
 
 from footfall.actions import GaitCycle, Locomotion
 from footfall.engine.action import Action, entries_of
+from footfall.engine.layer import layer_shelf_of
 from footfall.engine.library_sources import LibrarySources
 from footfall.engine.packing import PackedClip
 from footfall.engine.priorities import parse_priority
@@ -141,4 +142,5 @@ class MotionLibrary(LibrarySources):
             points=rig.foot_points / rig.leg_length,
             use_paper_cubic=planner == "paper",
             joints=joints,
+            layers=layer_shelf_of(self._layers, joints),
         )

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Generator
 from contextlib import contextmanager
 
 from footfall.arrays import Floats, SmallFloats
 from footfall.engine.action import Action, check_supports
+from footfall.engine.layer import Layer
 from footfall.engine.packing import PackedClip, carrying_feet, pack_clip, pack_standing
 from footfall.errors import ArgumentError, SkeletonError, UnknownNameError
 from footfall.motion import Clip, with_soles
@@ -33,6 +33,7 @@ class LibraryBody:
         self._neutral = neutral
         self._actions: list[Action] = []
         self._resampled: int = 0
+        self._layers: list[Layer] = []
         self._skeleton = skeleton
         self._anatomy: Anatomy | None = None
         self._standing: SmallFloats | None = None
@@ -64,11 +65,6 @@ class LibraryBody:
         """All actions; an action's id is its index."""
         return tuple(self._actions)
 
-    @property
-    def revision(self) -> int:
-        """A number that grows whenever an action is added, or its motion changes."""
-        return len(self._actions) + self._resampled
-
     def index(self, name: str) -> int:
         """Return the id of an action.
 
@@ -95,13 +91,6 @@ class LibraryBody:
         except BaseException:
             self._skeleton, self._anatomy, self._standing, self._resting = before
             raise
-
-    def _check_new(self, name: str, fade_in: float, fade_out: float) -> None:
-        if any(action.name == name for action in self._actions):
-            raise ArgumentError(f"there already is an action named {name!r}; names must differ")
-        for label, seconds in (("fade_in", fade_in), ("fade_out", fade_out)):
-            if not (math.isfinite(seconds) and seconds >= 0.0):
-                raise ArgumentError(f"{label} of {name!r} is {seconds} s; it must be >= 0")
 
     def _packed(self, label: str, clip: Clip, supports: SupportSequence) -> tuple[Clip, PackedClip]:
         """Return a clip of this library's family, and the same normalized.

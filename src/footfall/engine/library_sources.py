@@ -7,15 +7,20 @@ from dataclasses import replace
 
 from footfall.actions import MotionSource, ask_source
 from footfall.engine.action import Action
-from footfall.engine.library_body import LibraryBody
+from footfall.engine.library_layers import LibraryLayers
 from footfall.engine.priorities import parse_priority
 from footfall.errors import ArgumentError
 
 __all__ = ["LibrarySources"]
 
 
-class LibrarySources(LibraryBody):
+class LibrarySources(LibraryLayers):
     """The part of a motion library that asks users' programs for their motions."""
+
+    @property
+    def revision(self) -> int:
+        """A number that grows whenever an action or a layer is added, or its motion changes."""
+        return self.size + self._resampled
 
     def add_source(
         self,

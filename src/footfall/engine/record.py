@@ -6,6 +6,7 @@ from typing import Annotated
 
 from footfall.arrays import Flags, Floats, Indices, Positions, Seconds, Supports, Weights
 from footfall.engine.feet_record import Feet
+from footfall.engine.layer_record import LAYERS, LayerSeats, layer_seat_type
 from footfall.skeleton import BodyPart
 
 __all__ = ["COLUMNS", "FULL", "HALF_RATE", "NO_REACHING", "SEATS", "Character"]
@@ -52,6 +53,9 @@ class Character(Feet):
 
     placed: bool
     """Whether it was put somewhere since the pose shown last: there are no footprints then."""
+
+    layered: bool
+    """Whether anything is laid over what plays."""
 
     flight: int
     """What happens while nothing carries: a number of `footfall.engine.flight.FLIGHTS`."""
@@ -219,3 +223,6 @@ class Character(Feet):
 
     votes: Annotated[Seconds, SEATS]
     """Their votes [s], shape (seats,)."""
+
+    layers: Annotated[LayerSeats, layer_seat_type, LAYERS]
+    """What is laid over what plays: records of `LayerSeat`, shape (layers,)."""
