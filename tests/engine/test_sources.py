@@ -13,6 +13,7 @@ from footfall.engine import Character, Crowd, MotionLibrary
 from footfall.errors import ArgumentError, ClipError, SourceError, UnknownNameError
 from footfall.geometry import from_yaw, multiply
 from footfall.samples import sample
+from footfall.skeleton import Skeleton
 from footfall.support import SupportSequence
 
 
@@ -145,3 +146,26 @@ def test_a_first_motion_that_is_refused_leaves_the_library_without_a_body() -> N
         library.add_locomotion("gait", [(walk, SupportSequence.parse("R.1 D.1 L.1 D.1*"))])
     with pytest.raises(ArgumentError, match="the library is empty"):
         _ = library.skeleton
+
+
+def test_a_body_of_another_kind_performs_what_a_source_gives_now() -> None:
+    library = MotionLibrary()
+    source = replay("walk")
+    library.add_source("walk", source)
+    walk = sample("walk")[0].skeleton
+    renamed = Skeleton(
+        tuple(name.lower() for name in walk.names), walk.parents, 0.9 * walk.rest_offsets
+    )
+    other = library.adapted(renamed)
+    before = other.actions[0].packed.keys.copy()
+
+    def turned(given: Any) -> Any:
+        positions, rotations = given
+        turns = np.array(rotations)
+        head = walk.names.index("Head")
+        turns[:, head] = multiply(from_yaw(np.full(len(turns), 0.8)), turns[:, head])
+        return positions, turns
+
+    source.broken = turned
+    library.resample("walk")
+    assert not np.allclose(other.actions[0].packed.keys, before, atol=1e-3)
