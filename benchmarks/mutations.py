@@ -25,6 +25,11 @@ TESTS = {
     "timing": ["tests/timing", "tests/paper/test_figures_10_to_12_time_warp.py"],
     "sync": [
         "tests/sync/test_shares.py",
+        "tests/sync/test_muting.py",
+        "tests/sync/test_path.py",
+        "tests/sync/test_options.py",
+        "tests/sync/test_refusal.py",
+        "tests/sync/test_schedule_text.py",
         "tests/sync/test_synchronizer.py",
         "tests/sync/test_schedule_html.py",
         "tests/sync/test_paper.py",

@@ -9,8 +9,8 @@ import sys
 import time
 
 from benchmarks.comparison.contacts import on_labeled_clips, on_samples
+from benchmarks.comparison.contacts_page import contacts_section
 from benchmarks.comparison.page import (
-    contacts_section,
     detail_section,
     introduction,
     overall_section,

@@ -28,6 +28,11 @@ NOISE = 0.002
 
 OURS = "footfall"
 
+AT_HAND = frozenset(
+    {"cmu16_15_walk", "cmu69_57_sidestep_right", "mass_run", "pab_walk", "woody_kick"}
+)
+"""Clips that were labeled while detection was made; the others were labeled afterwards."""
+
 
 @dataclass(frozen=True, slots=True)
 class Verdict:
@@ -44,6 +49,23 @@ class Verdict:
 
     there: int
     """How many there are."""
+
+
+@dataclass(frozen=True, slots=True)
+class LabeledVerdicts:
+    """What the rules say of a clip that was labeled by eye."""
+
+    name: str
+    """Which clip."""
+
+    fps: float
+    """Its frames per second."""
+
+    at_hand: bool
+    """Whether detection was made with it at hand."""
+
+    verdicts: dict[str, Verdict]
+    """By rule."""
 
 
 def _ours(clip: Clip) -> Flags:
@@ -123,17 +145,14 @@ def on_samples() -> Iterator[tuple[float, dict[str, Verdict]]]:
         yield fps, {rule: pooled(each) for rule, each in verdicts.items()}
 
 
-def on_labeled_clips() -> Iterator[tuple[str, float, dict[str, Verdict]]]:
+def on_labeled_clips() -> Iterator[LabeledVerdicts]:
     """Return the verdict of each rule on each clip that was labeled by eye."""
     for path in _labels():
-        name = path.read_text(encoding="utf-8").splitlines()[0].removeprefix("# ")
-        clip = load(CLIPS / name).evolve(cyclic=False)
+        file = path.read_text(encoding="utf-8").splitlines()[0].removeprefix("# ")
+        clip = load(CLIPS / file).evolve(cyclic=False)
         truth = flags_of(load_supports(path), clip)
-        yield (
-            name.split("/")[-1].split(".")[0],
-            clip.fps,
-            {rule: judge(ask(clip), truth, clip) for rule, ask in RULES.items()},
-        )
+        verdicts = {rule: judge(ask(clip), truth, clip) for rule, ask in RULES.items()}
+        yield LabeledVerdicts(path.stem, clip.fps, path.stem in AT_HAND, verdicts)
 
 
 def _labels() -> list[Path]:

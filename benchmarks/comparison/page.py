@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 
 import numpy as np
-from benchmarks.comparison.contacts import RULES, Verdict
 from benchmarks.comparison.sheets import MethodResult, SheetResult
 
 from footfall.arrays import Floats
@@ -222,37 +221,3 @@ def pictures_section(pictures: Sequence[tuple[str, str]]) -> str:
         "it should carry.\n"
     )
     return told + "".join(f"\n### {title}\n\n![{title}]({file})\n" for title, file in pictures)
-
-
-def contacts_section(
-    samples: Sequence[tuple[float, dict[str, Verdict]]],
-    clips: Sequence[tuple[str, float, dict[str, Verdict]]],
-) -> str:
-    """Return the tables of contact detection."""
-    told = (
-        "\n## Which foot is on the ground\n\n"
-        "Detection beside the fixed rules of published tools, each on ankle and toe as those use "
-        "them. Wrong: share of feet and frames. Missed / invented: landings and releases that are "
-        "not found within 67 ms, and such as are not there. The squared step is made for 20 frames "
-        "a second.\n\n"
-        "On the samples, whose supports are known exactly, with 2 mm of noise on the feet:\n\n"
-    )
-    headings = ["", *RULES]
-    rows = [[f"{fps:.0f} frames a second", *_verdicts(each)] for fps, each in samples]
-    parts = [told, markdown_table(headings, rows)]
-    if clips:
-        parts.append(
-            f"\nOn {len(clips)} captured clips whose supports were labeled by eye "
-            "(`tests/detection/labels`); ours was made with these clips at hand:\n\n"
-        )
-        rows = [[f"{name}, {fps:.0f} fps", *_verdicts(each)] for name, fps, each in clips]
-        parts.append(markdown_table(headings, rows))
-    return "".join(parts)
-
-
-def _verdicts(each: dict[str, Verdict]) -> list[str]:
-    return [
-        f"{100.0 * each[rule].wrong:.1f} %, {each[rule].missed} / {each[rule].invented} "
-        f"of {each[rule].there}"
-        for rule in RULES
-    ]

@@ -6,6 +6,7 @@ FootfallError
 ├── SupportSequenceError     a sequence of support phases that breaks its rules (also ValueError)
 ├── FileFormatError          a file that cannot be read; knows its path and line (also ValueError)
 ├── ScenarioError            a cue sheet that cannot be played (also ValueError)
+├── SourceError              a motion source of the user's raised something (also RuntimeError)
 ├── ArgumentError            an argument out of its range (also ValueError)
 ├── MissingExtraError        an optional library that is not installed (also ImportError)
 ├── MissingViewerError       a viewer, or what it needs, is not installed (also ImportError)
@@ -28,6 +29,7 @@ __all__ = [
     "MissingViewerError",
     "ScenarioError",
     "SkeletonError",
+    "SourceError",
     "SupportSequenceError",
     "UnknownNameError",
 ]
@@ -88,6 +90,19 @@ class MissingExtraError(FootfallError, ImportError):
     def __init__(self, purpose: str, library: str, extra: str) -> None:
         self.extra = extra
         super().__init__(f"{purpose} needs {library}; pip install 'footfall[{extra}]'")
+
+
+class SourceError(FootfallError, RuntimeError):
+    """A motion source of the user's raised something; that is its `__cause__`.
+
+    Attributes:
+        action: The action that it was asked for.
+    """
+
+    def __init__(self, action: str, problem: Exception) -> None:
+        self.action = action
+        told = f"{type(problem).__name__}: {problem}" if str(problem) else type(problem).__name__
+        super().__init__(f"the source of {action!r} raised {told}; the library is as it was before")
 
 
 class UnknownNameError(FootfallError, LookupError):

@@ -10,11 +10,13 @@ from tests.paper.requirements import requirement
 from tests.skeleton.bodies import body
 from tests.walking_figure import walk
 
+from footfall.adaptation.goal_body import goal_body_of
 from footfall.arrays import Positions, Rotations
 from footfall.engine.goal_setting import Goals
+from footfall.engine.state import new_characters
 from footfall.errors import ArgumentError, UnknownNameError
 from footfall.geometry import rotate
-from footfall.skeleton import find_anatomy
+from footfall.skeleton import Skeleton, find_anatomy
 
 DT = 1.0 / 60.0
 WALK = walk(frames=40, fps=30.0)
@@ -30,7 +32,7 @@ def posed(goals: Goals, frames: int = 60, frame: int = 0) -> tuple[Rotations, Po
     rotations, positions = ROTATIONS[frame].copy(), POSITIONS[frame].copy()
     for _ in range(frames):
         rotations, positions = ROTATIONS[frame].copy(), POSITIONS[frame].copy()
-        goals.meet(0.0, DT, rotations, positions)
+        goals.meet(slice(0, 1), rotations[np.newaxis], positions[np.newaxis], DT)
     for joint in range(1, BODY.count):
         parent = int(BODY.parents[joint])
         expected = positions[parent] + rotate(rotations[parent], BODY.rest_offsets[joint])
@@ -38,8 +40,11 @@ def posed(goals: Goals, frames: int = 60, frame: int = 0) -> tuple[Rotations, Po
     return rotations, positions
 
 
-def goals() -> Goals:
-    return Goals(BODY, ANATOMY)
+def goals(skeleton: Skeleton = BODY) -> Goals:
+    """Return the goals of one character that faces +z."""
+    mine, nobody = Goals(), np.zeros(1, dtype=np.int64)
+    mine.make_room(new_characters(1, 5), [goal_body_of(skeleton, find_anatomy(skeleton))], nobody)
+    return mine
 
 
 def test_without_goals_a_pose_stays_as_it_is() -> None:
@@ -86,6 +91,13 @@ def test_a_goal_that_jumps_is_gone_after_without_a_jump() -> None:
     path = [posed(mine, 1)[1][LEFT] for _ in range(60)]
     assert np.linalg.norm(path[0] - np.array(IN_REACH)) < 0.08
     np.testing.assert_allclose(path[-1], (0.25, 1.15, 0.3), atol=1e-3)
+
+
+def test_a_goal_without_a_fade_is_met_at_once() -> None:
+    mine = goals()
+    mine.reach("left", IN_REACH, fade=0.0)
+    _, positions = posed(mine, 1)
+    np.testing.assert_allclose(positions[LEFT], IN_REACH, atol=1e-6)
 
 
 def test_hands_that_join_are_as_far_apart_as_told() -> None:
@@ -181,7 +193,7 @@ def test_what_cannot_be_is_refused_in_words() -> None:
               RightFoot 0 -0.4 0 tip 0 -0.05 0.1
         """
     )
-    bare = Goals(legs, find_anatomy(legs))
+    bare = goals(legs)
     with pytest.raises(
         ArgumentError, match=r"^a goal for the left hand of a body without that arm"
     ):

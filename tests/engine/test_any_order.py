@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any
 
 import numpy as np
@@ -9,12 +12,16 @@ import pytest
 from hypothesis import HealthCheck, settings
 from hypothesis import strategies as st
 from hypothesis.stateful import RuleBasedStateMachine, initialize, invariant, precondition, rule
+from tests.actions.test_motion_source import Replay, as_it_is, crash, nowhere, replay
 
 from footfall.adaptation import Plane, Stairs, Terrain
 from footfall.engine import Character, Started, Waiting
 from footfall.engine.record import SEATS
 from footfall.engine.state import EMPTY
-from footfall.errors import ArgumentError, UnknownNameError
+from footfall.errors import ArgumentError, ClipError, FileFormatError, SourceError, UnknownNameError
+from footfall.io import load as load_file
+from footfall.io import load_supports
+from footfall.io.native import save_native
 from footfall.samples import sample, sample_names
 from footfall.skeleton import BodyPart, find_anatomy, leg_length
 
@@ -40,8 +47,13 @@ class AnyOrder(RuleBasedStateMachine):
     def __init__(self) -> None:
         super().__init__()
         self.known: list[str] = []
+        self.sources: dict[str, Replay] = {}
+        self.folder = TemporaryDirectory()
         self.clock = 0.0
         self.kept: tuple[dict[str, Any], float, int] | None = None
+
+    def teardown(self) -> None:
+        self.folder.cleanup()
 
     @initialize(synchronized=st.sampled_from([True, True, True, False]), paper=st.booleans())
     def prepare(self, synchronized: bool, paper: bool) -> None:
@@ -61,6 +73,44 @@ class AnyOrder(RuleBasedStateMachine):
             return
         self.hero.add(name, *sample(name), **options)
         self.known.append(name)
+
+    @rule(name=NAMES, cut=st.sampled_from([None, None, 10, 1000]))
+    def load(self, name: str, cut: int | None) -> None:
+        """Add what a file says, as `name`; of a file that is cut off, nothing."""
+        path = Path(self.folder.name) / "motion.npz"
+        clip, supports = sample(name)
+        save_native(clip, path, supports=supports)
+        if cut is not None:
+            path.write_bytes(path.read_bytes()[:cut])
+            with pytest.raises(FileFormatError):
+                load_file(path)
+        elif name not in self.known:
+            self.hero.add(name, load_file(path), load_supports(path))
+            self.known.append(name)
+
+    @rule(name=NAMES, broken=st.sampled_from([as_it_is, crash, nowhere]))
+    def add_source(self, name: str, broken: Callable[[Any], Any]) -> None:
+        if name in self.known:
+            return
+        source = replay(name, broken=broken)
+        if broken is as_it_is:
+            self.hero.add_source(name, source)
+            self.known.append(name)
+            self.sources[name] = source
+            return
+        with pytest.raises((SourceError, ClipError), match=repr(name)):
+            self.hero.add_source(name, source)
+
+    @precondition(lambda self: self.sources)
+    @rule(data=st.data(), broken=st.sampled_from([as_it_is, crash, nowhere]))
+    def ask_a_source_again(self, data: st.DataObject, broken: Callable[[Any], Any]) -> None:
+        name = data.draw(st.sampled_from(sorted(self.sources)))
+        self.sources[name].broken = broken
+        if broken is as_it_is:
+            self.hero.library.resample(name)
+            return
+        with pytest.raises((SourceError, ClipError), match=repr(name)):
+            self.hero.library.resample(name)
 
     @rule(name=NAMES)
     def start(self, name: str) -> None:

@@ -267,33 +267,3 @@ def test_a_command_that_one_cannot_take_is_given_to_nobody(library: ff.MotionLib
         crowd.start(8)
     assert crowd.characters["occupied"].tolist() == [0, 8]
     del library
-
-
-@pytest.mark.full
-def test_a_long_time_of_random_commands_leaves_everything_sound(
-    library: ff.MotionLibrary,
-) -> None:
-    crowd, random = ff.Crowd(library, 2000), np.random.default_rng(5)
-    frames = 60 * 60 * 60
-    memory: list[int] = []
-    tracemalloc.start()
-    for frame in range(frames):
-        if frame % 15 == 0:
-            rows = np.flatnonzero(random.random(2000) < 0.05)
-            action = int(random.integers(len(NAMES)))
-            kind = random.random()
-            if kind < 0.6:
-                crowd.start(action, rows, patience=3.0, late="mute")
-            elif kind < 0.9:
-                crowd.stop(action, rows)
-            else:
-                crowd.set_priority(action, float(random.uniform(0.5, 2.0)), rows)
-        crowd.advance(DT)
-        if frame % 3600 == 3599:
-            assert np.isfinite(crowd.world_positions).all()
-            assert np.isfinite(crowd.poses).all()
-            assert np.abs(crowd.characters["clock"] - (frame + 1) * DT).max() < 1e-6
-            assert (crowd.characters["results"][:, 0] != 1).all()
-            memory.append(tracemalloc.get_traced_memory()[0])
-    tracemalloc.stop()
-    assert max(memory[1:]) - min(memory[1:]) < 1 << 20

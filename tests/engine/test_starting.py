@@ -5,7 +5,9 @@ from __future__ import annotations
 import pytest
 
 import footfall as ff
-from footfall.engine.state import LEAVING
+from footfall.engine import Started
+from footfall.engine.record import SEATS
+from footfall.engine.state import LEAVING, RUNNING
 from footfall.errors import ArgumentError
 
 
@@ -96,3 +98,29 @@ def test_wrong_patience_is_explained(options: dict[str, object], message: str) -
     with pytest.raises(ArgumentError) as caught:
         performer("walk").start("walk", **options)  # pyright: ignore[reportArgumentType]
     assert str(caught.value) == message
+
+
+def test_who_has_left_the_schedule_enters_it_anew_when_started_again() -> None:
+    restarted = 0
+    for moment in range(40):
+        hero = performer("walk", "walk-fast")
+        hero.start("walk")
+        hero.start("walk-fast")
+        hero.advance(1.0)
+        for _ in range(moment):
+            hero.advance(1 / 60)
+        hero.stop("walk-fast")
+        me = hero.crowd.characters[0]
+        while (me["status"] == LEAVING).any() and me["playing"].sum() == 2:
+            hero.advance(1 / 60)
+        if not (me["status"] == LEAVING).any():
+            continue
+        restarted += 1
+        assert isinstance(hero.start("walk-fast"), Started)
+        runs = me["status"] == RUNNING
+        for _ in range(60):
+            hero.advance(1 / 60)
+            runs = (me["status"] == RUNNING) & (me["weights"][:SEATS, 0] > 0.05)
+            assert (me["playing"][runs] != 0).all()
+        assert runs.sum() == 2
+    assert restarted > 0

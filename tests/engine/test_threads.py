@@ -5,7 +5,10 @@ from __future__ import annotations
 from concurrent.futures import ThreadPoolExecutor
 from threading import Barrier
 
-from footfall.engine import Crowd, MotionLibrary
+import pytest
+
+from footfall.engine import Crowd, MotionLibrary, workers
+from footfall.octets import LANES
 from footfall.samples import sample
 
 FRAMES = 240
@@ -19,7 +22,7 @@ def library() -> MotionLibrary:
 
 
 def performance(crowd: Crowd, offset: int, barrier: Barrier | None = None) -> bytes:
-    """Let a crowd of three perform; return every joint of every frame."""
+    """Let a crowd perform; return every joint of every frame."""
     shown: list[bytes] = []
     if barrier is not None:
         barrier.wait(timeout=30.0)
@@ -36,14 +39,22 @@ def performance(crowd: Crowd, offset: int, barrier: Barrier | None = None) -> by
     return b"".join(shown)
 
 
-def test_two_crowds_of_one_library_in_two_threads() -> None:
+@pytest.mark.parametrize(("size", "threads"), [(3, None), (40, 1), (40, 3)])
+def test_two_crowds_of_one_library_in_two_threads(
+    size: int, threads: int | None, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    # A small crowd is shared by threads as a great one is, a block at a time.
+    monkeypatch.setattr(workers, "SERIAL_BELOW", 2 * LANES)
+    monkeypatch.setattr(workers, "SHARE", 1)
     shared = library()
-    alone = [performance(Crowd(shared, 3), offset) for offset in (0, 7)]
+
+    def crowd() -> Crowd:
+        return Crowd(shared, size, threads=threads)
+
+    alone = [performance(crowd(), offset) for offset in (0, 7)]
     assert alone[0] != alone[1]
     for _ in range(3):
         barrier = Barrier(2)
         with ThreadPoolExecutor(2) as pool:
-            jobs = [
-                pool.submit(performance, Crowd(shared, 3), offset, barrier) for offset in (0, 7)
-            ]
+            jobs = [pool.submit(performance, crowd(), offset, barrier) for offset in (0, 7)]
             assert [job.result() for job in jobs] == alone

@@ -62,14 +62,7 @@ def interpreters() -> list[str]:
     return list(dict.fromkeys([found[0], found[-1]])) if found else [sys.executable]
 
 
-@pytest.fixture(scope="module")
-def built(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    folder = tmp_path_factory.mktemp("dist")
-    subprocess.run([sys.executable, "-m", "build", "--outdir", folder, ROOT], check=True)
-    return folder
-
-
-def install(what: Path, python: str, home: Path) -> Path:
+def install(what: Path | str, python: str, home: Path) -> Path:
     """Install an archive, and nothing else that was asked for, into a new environment."""
     subprocess.run([python, "-m", "venv", home], check=True)
     pip = [home / "bin" / "python", "-m", "pip", "install", "-q", "--disable-pip-version-check"]
@@ -77,16 +70,25 @@ def install(what: Path, python: str, home: Path) -> Path:
     return home
 
 
-def run_in(folder: Path, *command: Path | str) -> str:
-    """Run a command in an empty folder, without what this process says about Python."""
+def bare_environment(folder: Path) -> dict[str, str]:
+    """Return what a user's shell says, without what this process says about Python."""
     environment = {
         name: value
         for name, value in os.environ.items()
         if not name.startswith(("PYTHON", "NUMBA", "XDG"))
     }
-    environment["HOME"] = str(folder)
+    return {**environment, "HOME": str(folder)}
+
+
+def run_in(folder: Path, *command: Path | str) -> str:
+    """Run a command in an empty folder, and return what it printed."""
     ran = subprocess.run(
-        command, capture_output=True, text=True, cwd=folder, env=environment, check=False
+        command,
+        capture_output=True,
+        text=True,
+        cwd=folder,
+        env=bare_environment(folder),
+        check=False,
     )
     assert ran.returncode == 0, ran.stderr
     return ran.stdout

@@ -146,13 +146,40 @@ BAD_CUES = {
         "cue[0].speed.walk is 'fast'; it must be a number, -20 to 20"
     ),
     "[[cue]]\nat = 1\nturn = { run = 1 }\n": "cue[0].turn names 'run'; there are: walk",
+    "[[cue]]\nat = 1\nreach = 'left'\n": (
+        "cue[0].reach is 'left'; it must be a table such as { walk = 2.0 }"
+    ),
+    "[[cue]]\nat = 1\nreach = { point = [0, 1, 0] }\n": (
+        "cue[0].reach.hand is missing; there are: left, right"
+    ),
+    "[[cue]]\nat = 1\nreach = { hand = 'third', point = [0, 1, 0] }\n": (
+        "cue[0].reach.hand is 'third'; there are: left, right"
+    ),
+    "[[cue]]\nat = 1\nlook_at = { point = [0, 1] }\n": (
+        "cue[0].look_at.point is [0, 1]; it must be three numbers from -10000 to 10000"
+    ),
+    "[[cue]]\nat = 1\nlook_at = { weight = 0.5 }\n": (
+        "cue[0].look_at.point is missing; it must be three numbers from -10000 to 10000"
+    ),
+    "[[cue]]\nat = 1\nsit = { height = 0.5, weight = 2 }\n": (
+        "cue[0].sit.weight is 2; it must be a number, 0 to 1"
+    ),
+    "[[cue]]\nat = 1\njoin_hands = { apart = -1 }\n": (
+        "cue[0].join_hands.apart is -1; it must be a number, 0 to 2"
+    ),
+    "[[cue]]\nat = 1\ndrop = { fade = 0.2 }\n": (
+        "cue[0].drop.goal is missing; there are: left hand, right hand, gaze, seat"
+    ),
+    "[[cue]]\nat = 1\ndrop = { goal = 'gaze', weight = 1 }\n": (
+        "no key named 'weight' in cue[0].drop; there are: goal, fade"
+    ),
     "[[cue]]\nat = 1\n": (
-        "cue[0] has no command; it must have one of start, stop, "
-        "priority, speed, turn, layer and ground"
+        "cue[0] has no command; it must have one of start, stop, priority, speed, turn, layer, "
+        "reach, join_hands, look_at, sit, drop and ground"
     ),
     "[[cue]]\nat = 1\nstart = 'walk'\nstop = 'walk'\n": (
         "cue[0] has start and stop; it must have one of start, stop, "
-        "priority, speed, turn, layer and ground"
+        "priority, speed, turn, layer, reach, join_hands, look_at, sit, drop and ground"
     ),
 }
 

@@ -8,8 +8,9 @@ import numpy as np
 import pytest
 from tests.studio.sessions import session_of
 
-from footfall.errors import FileFormatError, ScenarioError
+from footfall.errors import ArgumentError, FileFormatError, ScenarioError
 from footfall.scenario.cue_sheet import Cue, parse_scenario
+from footfall.scenario.goal_change import GoalChange
 from footfall.scenario.ground_change import GroundChange
 from footfall.scenario.performance import perform
 from footfall.studio.card import by_part
@@ -41,6 +42,18 @@ start = "faster"
 [[cue]]
 at = 2.0
 stop = "go"
+"""
+
+GOALS = """
+[[cue]]
+at = 0.0
+sit = { height = 0.8 }
+[[cue]]
+at = 1.0
+reach = { hand = "left", point = [0.3, 1.2, 2.0] }
+[[cue]]
+at = 2.2
+drop = { goal = "seat" }
 """
 
 
@@ -95,9 +108,11 @@ def test_every_kind_of_cue_is_obeyed_and_an_unknown_action_is_none(tmp_path: Pat
     assert stage.activity()["walk"] == "fading out"
 
 
-def test_an_opened_scenario_is_played_as_it_is_performed(tmp_path: Path) -> None:
+@pytest.mark.parametrize("goals", ["", GOALS])
+def test_an_opened_scenario_is_played_as_it_is_performed(tmp_path: Path, goals: str) -> None:
     session, heard = session_of(tmp_path, "walk")
-    (tmp_path / "a.toml").write_text(SHEET)
+    text = SHEET.replace("[[cue]]", goals + "[[cue]]", 1)
+    (tmp_path / "a.toml").write_text(text)
     session.paused, session.view = True, "crowd"
     open_scenario(session, "a.toml")
     session.jobs.wait()
@@ -109,9 +124,20 @@ def test_an_opened_scenario_is_played_as_it_is_performed(tmp_path: Path) -> None
         for cue in due_cues(script, stage.pair()[0].clock, stage.begun):
             obey_cue(stage, cue)
         stage.advance()
-    scenario = parse_scenario(SHEET, tmp_path / "a.toml")
+    scenario = parse_scenario(text, tmp_path / "a.toml")
     told = perform(scenario).recording.world_positions[180]
     np.testing.assert_array_equal(stage.pair()[0].positions, told)
+    kept = [cue.goal for cue in stage.scenario().cues if cue.goal is not None]
+    assert kept == [cue.goal for cue in scenario.cues if cue.goal is not None]
+
+
+def test_a_goal_that_is_none_is_not_in_the_take(tmp_path: Path) -> None:
+    stage = session_of(tmp_path, "walk")[0].stage
+    obey_cue(stage, Cue(0.0, "start", "walk"))
+    wrong = GoalChange("reach", point=(float("nan"), 0.0, 0.0))
+    with pytest.raises(ArgumentError, match="the goal of the left hand is"):
+        obey_cue(stage, Cue(0.0, "reach", goal=wrong))
+    assert [cue.kind for cue in stage.scenario().cues] == ["start"]
 
 
 def test_what_cannot_be_opened_is_refused_and_changes_nothing(tmp_path: Path) -> None:

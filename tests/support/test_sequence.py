@@ -205,7 +205,7 @@ def test_the_first_phase_must_be_under_way_at_the_first_frame(
     start: float, cyclic: bool, message: str
 ) -> None:
     with pytest.raises(SupportSequenceError) as caught:
-        SupportSequence((phase("R", 0.5), phase("L", 0.5)), cyclic=cyclic, start=start)
+        SupportSequence((phase("R", 0.5), phase("L", 0.75)), cyclic=cyclic, start=start)
     assert str(caught.value) == message
 
 

@@ -15,9 +15,8 @@ from tests.sync.strict_sequences import strict_texts
 
 from footfall.support import Support, SupportPhase, SupportSequence
 from footfall.sync import Synchronizer
-from footfall.sync.events import enter_next_slot, reconsider, start_action
+from footfall.sync.events import reconsider, start_action
 from footfall.sync.planner import REFUSED
-from footfall.sync.shares import spend_slot
 from footfall.sync.tables import SequenceTable, rules_of
 from footfall.sync.window import Window
 
@@ -152,48 +151,6 @@ def test_a_stop_frees_what_was_held_for_its_sake() -> None:
     assert "~" in "".join(cell for row in synchronizer.schedule.rows for cell in row.cells)
     synchronizer.stop(0)
     assert " ".join(synchronizer.schedule.rows[0].cells) == "D L D R . ."
-
-
-def running_window(
-    texts: list[str], phases: list[int], weights: list[float]
-) -> tuple[SequenceTable, Window]:
-    """Put all in at the beginning of a phase, and plan."""
-    table = SequenceTable.of([SupportSequence.parse(text) for text in texts])
-    window = Window.empty(len(texts), 5)
-    window.playing[:] = True
-    window.sequence[:] = window.age[:] = range(len(texts))
-    window.priority[:] = window.weight[:] = weights
-    window.phases[:, 0] = phases
-    window.remaining[:] = [
-        table.durations[table.first[i] + phase] for i, phase in enumerate(phases)
-    ]
-    reconsider(table, window, rules_of("footfall"))
-    return table, window
-
-
-def test_of_two_that_cannot_wait_for_each_other_the_second_is_muted() -> None:
-    # Right hop and left hop begun in flight, put side by side by force, then a third on R.
-    texts = ["R.1 +l.1*".replace("+l", "L"), "+l.1 +r.1*"]
-    table, window = running_window(texts, [0, 0], [2.0, 1.0])
-    assert window.muted.tolist() == [False, True]
-    assert window.results[0] == Support.RIGHT
-    assert 1 not in window.results
-    assert table.whole == 0b11111
-
-
-def test_a_muted_action_rejoins_when_there_is_room() -> None:
-    table, window = running_window([WALK, "R.3 -.2*"], [0, 0], [2.0, 1.0])
-    window.muted[1] = True
-    rules = rules_of("footfall")
-    reconsider(table, window, rules)
-    muted = 0
-    while window.muted[1] and muted < 12:
-        spend_slot(table, window)
-        enter_next_slot(table, window, rules)
-        muted += 1
-    # It rests for three slots at least.
-    assert 3 <= muted < 12
-    assert not window.muted[1]
 
 
 @pytest.mark.skipif(not CASES.is_file(), reason="the realistic cases lie outside the project")

@@ -60,3 +60,12 @@ def test_of_many_at_once_nobody_conflicts_and_all_go_on() -> None:
             phases[action].add(row.cells[0].removesuffix("~"))
     # The last three are never due alone: what matters is that no gait starves.
     assert [len(seen) for seen in phases[:4]] == [3, 3, 3, 3]
+
+
+def test_a_wait_that_is_longer_than_is_foreseen_is_not_called_impossible() -> None:
+    synchronizer = synchronizer_of("R6 +l6 R6 D1*", "L.4")
+    synchronizer.start(0)
+    assert not synchronizer.start(1)
+    assert synchronizer.foresee(1) == Refusal(
+        "waits for more than 10 s: L of '1' conflicts with R of '0'", None, False
+    )

@@ -36,3 +36,18 @@ def test_phases_seconds_stretches_and_waits_are_told_slot_by_slot() -> None:
         synchronizer.next_slot()
     assert synchronizer.trace.describe() == WAITED
     assert synchronizer.schedule.describe() == FORESEEN
+
+
+def test_a_hold_is_marked_from_the_first_slot_that_repeats_a_phase() -> None:
+    texts = ["R.4 D.14 L.4 D.14*", "D.9 R.2 D.2 L.2*"]
+    synchronizer = Synchronizer([SupportSequence.parse(text) for text in texts])
+    first = 0
+    for action in (0, 1):
+        synchronizer.start(action)
+    for _ in range(12):
+        synchronizer.next_slot()
+        for row in synchronizer.schedule.rows:
+            for slot in range(1, len(row.held)):
+                assert row.held[slot] == (row.phases[slot] == row.phases[slot - 1])
+            first += row.held[1]
+    assert first > 0

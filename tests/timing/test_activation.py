@@ -137,3 +137,8 @@ def test_turning_back_takes_its_share_of_the_time_or_twice_that(
 def test_a_fade_of_next_to_no_length_is_over_at_once(asked: float, dt: float) -> None:
     assert advance_progress(0.0, 0.0, asked, dt, 1.0) == 1.0
     assert advance_progress(0.0, 0.0, asked, dt, 0.0) == 1.0
+
+
+def test_a_fade_of_a_nanosecond_still_takes_its_time() -> None:
+    assert advance_progress(0.0, 0.0, 1e-9, 0.0, 1.0) == 0.0
+    assert advance_progress(0.0, 0.0, 1e-9, 0.5e-9, 1.0) == pytest.approx(0.5)

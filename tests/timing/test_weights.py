@@ -2,7 +2,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
@@ -56,6 +56,20 @@ def test_what_nobody_takes_is_the_neutral_motions() -> None:
     assert weights([[9.0]], [0.25]).tolist() == [[0.25], [0.75]]
     assert weights(np.zeros((2, 1)), [1.0, 1.0]).tolist() == [[0.0], [0.0], [1.0]]
     assert weights(np.zeros((0, 2)), np.zeros(0)).tolist() == [[1.0, 1.0]]
+
+
+def test_a_share_too_small_for_a_number_is_the_neutral_motions() -> None:
+    assert weights([[5e-324]], [0.25]).tolist() == [[0.0], [1.0]]
+
+
+@settings(deadline=None)
+@given(some_priorities, some_levels, st.sampled_from([0.125, 8.0, 1024.0]))
+@example(np.array([[1.0], [1.0]]), np.array([0.5, 0.001]), 1024.0)
+def test_only_the_ratio_of_priorities_counts(
+    priorities: Floats, levels: Floats, scale: float
+) -> None:
+    shares = weights(scale * priorities, levels)
+    np.testing.assert_allclose(shares, weights(priorities, levels), rtol=0, atol=1e-14)
 
 
 @settings(deadline=None)

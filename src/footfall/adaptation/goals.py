@@ -7,17 +7,18 @@ approached softly, and `missed` says by how much.
 from __future__ import annotations
 
 import math
-from typing import NamedTuple
+from typing import Any
 
 import numpy as np
+import numpy.typing as npt
 
 from footfall.adaptation.gaze import look_at
 from footfall.adaptation.goal_body import GoalBody
 from footfall.arrays import Floats, Positions, Rotations, Seconds, Weights
-from footfall.compilation import kernel
+from footfall.compilation import kernel, records
 from footfall.skeleton.arm_ik import reach_end
 
-__all__ = ["GAZE", "GOALS", "HANDS", "SEAT", "GoalMemory", "meet_goals"]
+__all__ = ["GAZE", "GOALS", "HANDS", "SEAT", "GoalMemory", "goal_type", "meet_goals", "new_goals"]
 
 HANDS, GAZE, SEAT = (0, 1), 2, 3
 """Which row of a memory is whose goal: left and right hand, gaze, seat."""
@@ -35,8 +36,8 @@ LEG_BEND = (0.0, 0.0, 1.0)
 """Likewise the knee of a straight leg."""
 
 
-class GoalMemory(NamedTuple):
-    """The goals of one character; the rows are `HANDS`, `GAZE`, `SEAT`."""
+class GoalMemory:
+    """The goals of one character, a record of `goal_type`; rows are `HANDS`, `GAZE`, `SEAT`."""
 
     targets: Positions
     """Where they are in the world [m], of the seat only the height counts, shape (goals, 3)."""
@@ -63,17 +64,64 @@ class GoalMemory(NamedTuple):
     missed: Floats
     """How far each goal was missed in the last pose [m], of the gaze [rad], shape (goals,)."""
 
-    @classmethod
-    def empty(cls) -> GoalMemory:
-        """Return one without goals."""
-        wanted, weights, progress, fades, missed = (np.zeros(GOALS) for _ in range(5))
-        targets, lags = np.zeros((2, GOALS, 3))
-        together = np.array([-1.0, 0.0])
-        return cls(targets, lags, wanted, weights, progress, fades, together, missed)
+
+goal_type = np.dtype(
+    [
+        *((name, np.float64, (GOALS, 3)) for name in ("targets", "lags")),
+        *(
+            (name, np.float64, (GOALS,))
+            for name in ("wanted", "weights", "progress", "fades", "missed")
+        ),
+        ("together", np.float64, (2,)),
+    ],
+    align=True,
+)
+"""The memory layout of `GoalMemory`."""
+
+
+def new_goals(rows: int) -> npt.NDArray[Any]:
+    """Return the memories of so many characters without goals, shape (rows,)."""
+    goals = records(np.zeros(rows, dtype=goal_type))
+    goals["together"][:, 0] = -1.0
+    return goals
 
 
 @kernel
 def meet_goals(
+    body: GoalBody,
+    goals: npt.NDArray[Any],
+    headings: Floats,
+    dt: float,
+    rotations: Rotations,
+    positions: Positions,
+) -> None:
+    """Change finished poses so that their goals are met as far as they are faded in.
+
+    Args:
+        body: What meets them.
+        goals: Records of `GoalMemory`, shape (rows,); their fades go on.
+        headings: Where the bodies face [rad], shape (rows,).
+        dt: Time since the last pose [s].
+        rotations: Joints in the world, shape (rows, joints, 4); rewritten.
+        positions: Likewise [m], shape (rows, joints, 3).
+    """
+    for row in range(goals.shape[0]):
+        me: GoalMemory = goals[row]
+        if _has_any(me):
+            _meet(body, me, headings[row], dt, rotations[row], positions[row])
+
+
+@kernel
+def _has_any(me: GoalMemory) -> bool:
+    """Return whether a goal is on its way, or there."""
+    found = False
+    for goal in range(GOALS):
+        found = found or me.progress[goal] != 0.0 or me.fades[goal] > 0.0
+    return found
+
+
+@kernel
+def _meet(
     body: GoalBody,
     me: GoalMemory,
     heading: float,
@@ -81,16 +129,7 @@ def meet_goals(
     rotations: Rotations,
     positions: Positions,
 ) -> None:
-    """Change one finished pose so that its goals are met as far as they are faded in.
-
-    Args:
-        body: What meets them.
-        me: The goals; their fades go on.
-        heading: Where the body faces [rad].
-        dt: Time since the last pose [s].
-        rotations: Joints in the world, shape (joints, 4); rewritten.
-        positions: Likewise [m], shape (joints, 3).
-    """
+    """Change one pose, shape (joints, 4) and (joints, 3)."""
     for goal in range(GOALS):
         _go_on(me, goal, dt)
     if me.progress[SEAT] > 0.0:

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from footfall.actions import Locomotion
+from footfall.actions import Locomotion, MotionSource
 from footfall.arrays import Floats
 from footfall.compilation import records
 from footfall.engine.entry import entry_type
@@ -58,6 +58,9 @@ class Action:
 
     gait: tuple[tuple[Clip, SupportSequence], ...] = ()
     """The clips of `locomotion`, and what each stands on."""
+
+    source: MotionSource | None = None
+    """The user's program that made `clip`, where one did."""
 
     @property
     def duration(self) -> float:

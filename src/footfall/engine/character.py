@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from typing import Any
 
 from footfall.adaptation import AnyGround
@@ -13,6 +13,7 @@ from footfall.engine.flight import Flight
 from footfall.engine.handed import Handed
 from footfall.engine.inspection import ActionState, action_states, present_schedule
 from footfall.engine.layered import Layered
+from footfall.engine.learning import Learning
 from footfall.engine.library import MotionLibrary
 from footfall.engine.refusals import Late
 from footfall.engine.showing import show_character
@@ -20,14 +21,14 @@ from footfall.engine.state import EMPTY, WAITING, Frame
 from footfall.errors import ArgumentError
 from footfall.motion import Clip
 from footfall.skeleton import Skeleton
-from footfall.support import Support, SupportSequence
+from footfall.support import Support
 from footfall.sync.schedule import Schedule
 from footfall.sync.tables import Planner
 
 __all__ = ["Character"]
 
 
-class Character(Layered, Handed):
+class Character(Layered, Handed, Learning):
     """A body that performs actions which start and stop at any moment."""
 
     def __init__(
@@ -78,43 +79,6 @@ class Character(Layered, Handed):
                 raise ArgumentError("the character has no action yet; add one first")
             self._crowd = Crowd(self.library, 1, skeleton=self.skeleton, **self._options)
         return self._crowd
-
-    def add(
-        self,
-        name: str,
-        clip: Clip,
-        supports: SupportSequence,
-        *,
-        priority: float | Mapping[str, float] = 1.0,
-        fade_in: float = 0.3,
-        fade_out: float = 0.3,
-    ) -> None:
-        """Add an action; arguments and errors as of `MotionLibrary.add`."""
-        self.library.add(
-            name, clip, supports, priority=priority, fade_in=fade_in, fade_out=fade_out
-        )
-
-    def add_locomotion(
-        self,
-        name: str,
-        clips: Sequence[tuple[Clip, SupportSequence]],
-        *,
-        speed: float | None = None,
-        turn: float | None = None,
-        priority: float | Mapping[str, float] = 1.0,
-        fade_in: float = 0.3,
-        fade_out: float = 0.3,
-    ) -> None:
-        """Add a gait that follows a speed and a turn; as `MotionLibrary.add_locomotion`."""
-        self.library.add_locomotion(
-            name,
-            clips,
-            speed=speed,
-            turn=turn,
-            priority=priority,
-            fade_in=fade_in,
-            fade_out=fade_out,
-        )
 
     def set_parameters(
         self, name: str, *, speed: float | None = None, turn: float | None = None
@@ -238,7 +202,6 @@ class Character(Layered, Handed):
         """
         crowd = self.crowd
         crowd.advance(dt)
-        self._meet_goals(dt)
         me = crowd.characters[0]
         return Frame(
             float(me["clock"]),

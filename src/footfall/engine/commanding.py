@@ -9,9 +9,19 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from footfall.arrays import Seconds
-from footfall.engine.commands import NOBODY, catch_up_rows, prioritize_rows, start_rows, stop_rows
+from footfall.arrays import Indices, Seconds
+from footfall.engine.bodies import Bodies, Repertoire
+from footfall.engine.cohorts import Cohort
+from footfall.engine.commands import (
+    NOBODY,
+    catch_up_rows,
+    prioritize_rows,
+    row_without_seat,
+    start_rows,
+    stop_rows,
+)
 from footfall.engine.library import MotionLibrary
+from footfall.engine.parameters import Parts
 from footfall.engine.priorities import parse_priority
 from footfall.engine.record import SEATS
 from footfall.engine.refusals import LATE, Late, check_patience, explain_wait
@@ -21,7 +31,7 @@ from footfall.engine.workers import Workers
 from footfall.errors import ArgumentError
 from footfall.sync.refusal import Refusal
 from footfall.sync.search_memory import SearchMemories
-from footfall.sync.tables import Planner, Rules
+from footfall.sync.tables import Rules
 
 __all__ = ["Commanding"]
 
@@ -35,16 +45,35 @@ class Commanding:
 
     library: MotionLibrary
     _characters: npt.NDArray[Any]
-    _planner: Planner
     _rules: Rules
-    _shelf: Shelf
-    _known: int
+    _bodies: Bodies
+    _cohorts: tuple[Cohort, ...]
+    _body_of_row: Indices
     _workers: Workers
 
     def _refresh(self) -> None:
-        if self.library.size != self._known:
-            self._shelf = self.library.shelf(self._planner)
-            self._known = self.library.size
+        """Take over actions that the library has learned since."""
+        if self._bodies.repertoires[0].behind:
+            self._bodies.learn()
+            for repertoire in self._bodies.repertoires:
+                repertoire.write(self._parts(repertoire))
+
+    def _parts(self, repertoire: Repertoire) -> Parts:
+        """Return all who perform some motions, cohort by cohort."""
+        bodies = self._bodies.all
+        return [
+            (bodies[cohort.span.body].shelf, cohort.characters)
+            for cohort in self._cohorts
+            if bodies[cohort.span.body].repertoire is repertoire
+        ]
+
+    def _by_shelf(self, chosen: Indices) -> list[tuple[Shelf, Indices]]:
+        """Return the library as each body takes it, and which of some rows have that body."""
+        bodies = self._bodies.all
+        if len(bodies) == 1:
+            return [(bodies[0].shelf, np.arange(len(chosen)))]
+        kinds = self._body_of_row[chosen]
+        return [(body.shelf, np.flatnonzero(kinds == index)) for index, body in enumerate(bodies)]
 
     def _check_action(self, action: int) -> int:
         if not 0 <= action < len(self.library.actions):
@@ -84,27 +113,23 @@ class Commanding:
         action = self._check_action(action)
         chosen = check_present(rows, self._characters)
         seconds = self._check_ahead(ahead, chosen)
+        shelves = self._by_shelf(chosen)
+        for shelf, places in shelves:
+            full = row_without_seat(shelf, self._characters, chosen[places], action)
+            if full != NOBODY:
+                raise ArgumentError(
+                    f"character {full} already has {SEATS} actions running, waiting or fading; "
+                    "stop one first"
+                )
         started = np.zeros(len(chosen), dtype=np.bool_)
-        full = start_rows(
-            self._shelf,
-            self._characters,
-            self.search,
-            self._rules,
-            chosen,
-            action,
-            float(patience),
-            LATE[late],
-            started,
-        )
-        if full != NOBODY:
-            raise ArgumentError(
-                f"character {full} already has {SEATS} actions running, waiting or fading; "
-                "stop one first"
-            )
-        early = started & (seconds > 0.0)
-        if early.any():
-            chosen, seconds = chosen[early], seconds[early]
-            catch_up_rows(self._shelf, self._characters, self.search, self._rules, chosen, seconds)
+        for shelf, places in shelves:
+            told = shelf, self._characters, self.search, self._rules
+            runs, waits = np.zeros(len(places), dtype=np.bool_), (float(patience), LATE[late])
+            start_rows(*told, chosen[places], action, *waits, runs)
+            started[places] = runs
+            early = places[runs & (seconds[places] > 0.0)]
+            if len(early):
+                catch_up_rows(*told, chosen[early], seconds[early])
         return started
 
     def _check_ahead(self, ahead: npt.ArrayLike, chosen: npt.NDArray[np.int64]) -> Seconds:
@@ -125,9 +150,11 @@ class Commanding:
         Raises:
             ArgumentError: If it does not wait, or does not exist.
         """
-        me = self._characters[check_present([row], self._characters)[0]]
+        chosen = check_present([row], self._characters)
+        me = self._characters[chosen[0]]
         action = self._check_action(action)
-        return explain_wait(self._shelf, me, self.search, self._rules, self.library, action)
+        shelf = next(shelf for shelf, places in self._by_shelf(chosen) if len(places))
+        return explain_wait(shelf, me, self.search, self._rules, self.library, action)
 
     def stop(self, action: int, rows: Rows = None) -> None:
         """Let an action fade out, or cancel its waiting start.
@@ -140,7 +167,9 @@ class Commanding:
             ArgumentError: If the action or a row does not exist.
         """
         action = self._check_action(action)
-        stop_rows(self._shelf, self._characters, check_present(rows, self._characters), action)
+        chosen = check_present(rows, self._characters)
+        for shelf, places in self._by_shelf(chosen):
+            stop_rows(shelf, self._characters, chosen[places], action)
 
     def set_priority(
         self,
@@ -169,18 +198,19 @@ class Commanding:
         if fade is not None and not (0.0 <= fade < math.inf):
             raise ArgumentError(f"fade is {fade} s; it must be finite and >= 0")
         seconds = BY_ITSELF if fade is None else float(fade)
-        prioritize_rows(self._shelf, self._characters, chosen, action, values, seconds)
+        for shelf, places in self._by_shelf(chosen):
+            prioritize_rows(shelf, self._characters, chosen[places], action, values, seconds)
 
     @property
     def shelf(self) -> Shelf:
-        """The library as the kernels take it."""
+        """The library as the kernels take it, for the body of the first cohort."""
         self._refresh()
-        return self._shelf
+        return self._bodies.all[0].shelf
 
     @property
     def search(self) -> SearchMemories:
         """Memory of the planner."""
-        return self._workers.workspace.search
+        return self._workers.search
 
     @property
     def rules(self) -> Rules:

@@ -20,7 +20,14 @@ from footfall.sync.search_memory import SearchMemories
 from footfall.sync.tables import Rules
 from footfall.timing import reverse_fade
 
-__all__ = ["NOBODY", "catch_up_rows", "prioritize_rows", "start_rows", "stop_rows"]
+__all__ = [
+    "NOBODY",
+    "catch_up_rows",
+    "prioritize_rows",
+    "row_without_seat",
+    "start_rows",
+    "stop_rows",
+]
 
 LEGS = int(BodyPart.LEGS)
 PARTS = len(BodyPart)
@@ -29,7 +36,7 @@ AT_ONCE = 1e-9
 """Time in which nothing is gradual [s]."""
 
 NOBODY = -1
-"""What `start_rows` returns where everybody has a seat."""
+"""What `row_without_seat` returns where everybody has a seat."""
 
 
 @lean_kernel
@@ -43,8 +50,10 @@ def start_rows(
     patience: float,
     late: int,
     out: Flags,
-) -> int:
+) -> None:
     """Start an action of many characters, each at once or as soon as its moment comes.
+
+    Everybody has a seat for it: see `row_without_seat`.
 
     Args:
         shelf: The library.
@@ -56,17 +65,19 @@ def start_rows(
         patience: How long a start waits at most [s], >= 0.
         late: What becomes of it then: `GIVES_UP` or `STARTS_MUTED`.
         out: Written: whether it runs now, shape (rows,).
-
-    Returns:
-        The first row that has no seat for it, and nothing is changed; else -1.
     """
+    for place in range(rows.shape[0]):
+        me: Character = characters[int(rows[place])]
+        out[place] = _start_row(shelf, me, search, rules, action, patience, late)
+
+
+@lean_kernel
+def row_without_seat(shelf: Shelf, characters: npt.NDArray[Any], rows: Indices, action: int) -> int:
+    """Return the first of some rows that has no seat for an action, or `NOBODY`."""
     for place in range(rows.shape[0]):
         me: Character = characters[int(rows[place])]
         if not _has_room(shelf, me, action):
             return int(rows[place])
-    for place in range(rows.shape[0]):
-        me = characters[int(rows[place])]
-        out[place] = _start_row(shelf, me, search, rules, action, patience, late)
     return NOBODY
 
 
@@ -82,7 +93,7 @@ def _start_row(
 ) -> bool:
     """Start an action of one character, or seat it to wait; return whether it runs now.
 
-    A running one goes on; one that fades out rises again, unless its clip is over (S-14).
+    A running one goes on; one that fades out rises again, unless it is over (S-14).
     """
     free = NONE
     for seat in range(SEATS):
@@ -96,8 +107,7 @@ def _start_row(
                 return False
             if status == RUNNING:
                 return True
-            over = me.clip_time[seat] >= shelf.entries[action].duration
-            if shelf.entries[action].cyclic or not over:
+            if _rises(shelf, me, seat):
                 _rise_again(shelf, me, seat)
                 me.unsettled = True
                 return True
@@ -113,12 +123,22 @@ def _has_room(shelf: Shelf, me: Character, action: int) -> bool:
     for seat in range(SEATS):
         if me.status[seat] == EMPTY:
             return True
-        if me.action[seat] == action:
-            over = me.clip_time[seat] >= shelf.entries[action].duration
-            rises = shelf.entries[action].cyclic or not over
-            if me.status[seat] in (WAITING, RUNNING) or rises:
-                return True
+        stays = me.status[seat] in (WAITING, RUNNING) or _rises(shelf, me, seat)
+        if me.action[seat] == action and stays:
+            return True
     return False
+
+
+@inner_kernel
+def _rises(shelf: Shelf, me: Character, seat: int) -> bool:
+    """Return whether an action that fades out can rise again.
+
+    Not where its clip is over, nor where it has left the schedule: its legs would go on alone.
+    """
+    entry = shelf.entries[me.action[seat]]
+    over = me.clip_time[seat] >= entry.duration and not entry.cyclic
+    scheduled = me.synchronized and me.priorities[seat, LEGS] > 0.0
+    return not over and (me.playing[seat] or not scheduled)
 
 
 @lean_kernel

@@ -1,7 +1,8 @@
-"""A crowd: many characters of one body, and the arrays of commands that drive them."""
+"""A crowd: many characters, and the arrays of commands that drive them."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -9,29 +10,32 @@ import numpy.typing as npt
 
 from footfall.adaptation import AnyGround, Plane
 from footfall.adaptation.surfaces import Ground
-from footfall.arrays import Positions, Rotations, SmallFloats, Supports
+from footfall.arrays import Indices, Positions, Rotations, SmallFloats, Supports
+from footfall.engine.bodies import Bodies
+from footfall.engine.cohorts import Cohort, Span, blocks_of, lay_out
 from footfall.engine.flight import Flight, flight_of
 from footfall.engine.library import MotionLibrary
-from footfall.engine.parameters import FINEST, Parameters
+from footfall.engine.parameters import FINEST
 from footfall.engine.pipeline import advance_blocks
 from footfall.engine.placing import world_poses_of
-from footfall.engine.populating import Populating, blocks_of
-from footfall.engine.reaching import Reaching
+from footfall.engine.populating import Populating
+from footfall.engine.remembering import Remembering
 from footfall.engine.standing import Standing
-from footfall.engine.state import Workspace, new_characters
+from footfall.engine.state import new_characters
 from footfall.engine.workers import Workers
-from footfall.errors import ArgumentError, SkeletonError
+from footfall.errors import ArgumentError
 from footfall.octets import LANES
 from footfall.skeleton import Skeleton
-from footfall.skeleton.octet_poses import PLACEMENT
 from footfall.skeleton.rig import Rig
 from footfall.sync.tables import Planner, rules_of
 
 __all__ = ["Crowd"]
 
 
-class Crowd(Standing, Reaching, Populating):
-    """Characters that share a motion library and a body. One character is a crowd of one.
+class Crowd(Standing, Remembering, Populating):
+    """Characters that share a motion library. One character is a crowd of one.
+
+    Those that are spawned may have other bodies: see `Populating.spawn` and `cohorts`.
 
     Same commands, same bits, on however many threads: nothing here reads a clock or rolls dice.
     """
@@ -55,7 +59,8 @@ class Crowd(Standing, Reaching, Populating):
         Args:
             library: Its actions can be started, also those that are added later.
             size: How many characters, >= 1; more can be spawned.
-            skeleton: Their body, its joints in any order; by default the library's.
+            skeleton: Their body; by default the library's. Of its family, the joints in any
+                order, or any other one that its motions can be retargeted to.
             ground: What they stand on; by default a plane at height 0.
             planner: "footfall", or "paper" for the rule as printed.
             lookahead: How many slots ahead phases are synchronized, >= 1.
@@ -69,50 +74,43 @@ class Crowd(Standing, Reaching, Populating):
 
         Raises:
             ArgumentError: If a number is out of range, or the flight is unknown.
-            SkeletonError: If the skeleton has other joints than the library's.
+            SkeletonError: If the skeleton has other joints than the library's, and a motion
+                cannot be retargeted.
         """
         if size < 1:
             raise ArgumentError(f"a crowd of {size}; it needs at least 1 character")
         if lookahead < 1:
             raise ArgumentError(f"a look-ahead of {lookahead} slots; it must be at least 1")
-        if skeleton is not None and not skeleton.same_family(library.skeleton):
-            raise SkeletonError(
-                f"a body of {skeleton.count} joints cannot perform motions of "
-                f"{library.skeleton.count}; joint names and parents must be the same"
-            )
         self.library = library
-        self.skeleton = (skeleton or library.skeleton).ordered_like(library.skeleton)
-        self._planner: Planner = planner
         self._rules = rules_of(planner, ended="stop" if planner == "paper" else None)
-        self._rig = library.rig(self.skeleton)
-        self._shelf = library.shelf(planner)
-        self._known = library.size
-        self._workers = Workers(self.skeleton.count, threads)
+        self._bodies = Bodies(library, planner)
+        self._bodies.index_of(skeleton)
+        self._workers = Workers(threads)
         self._newborn = new_characters(1, lookahead)
         self._newborn["synchronized"] = synchronized
         self._newborn["printed"] = footprints and synchronized
         self._newborn["flight"] = flight_of(flight)
-        self._parameters = Parameters()
-        self._characters, self._poses = self._newborn[:0], self._blank_poses(0)
-        self._make_room(size)
+        self._characters = self._newborn[:0]
+        self._grounds, self._packed_grounds = [], []
+        self._stand_on(Plane() if ground is None else ground)
+        self._make_room([Span(0, 0, 0, size)])
         self._characters["present"] = 1
-        self.ground = Plane() if ground is None else ground
 
-    def _blank_poses(self, rows: int) -> SmallFloats:
-        shape = (blocks_of(rows), self.skeleton.count, PLACEMENT, LANES)
-        return np.zeros(shape, dtype=np.float32)
-
-    def _make_room(self, rows: int) -> None:
-        characters = np.repeat(self._newborn, rows)
+    def _make_room(self, spans: Sequence[Span]) -> None:
+        characters = np.repeat(self._newborn, spans[-1].end)
         characters["present"] = 0
         characters[: self.size] = self._characters
-        joints = self.skeleton.count
-        poses = self._blank_poses(rows)
-        poses[: len(self._poses)] = self._poses
-        self._characters, self._poses = characters, poses
-        self._make_hands_room(rows)
-        self._world_positions: Positions = np.zeros((rows, joints, 3))
-        self._world_rotations: Rotations = np.zeros((rows, joints, 4))
+        poses = self._layout.poses if self.size else np.zeros(0, dtype=np.float32)
+        self._characters = characters
+        skeletons = [body.skeleton for body in self._bodies.all]
+        for skeleton in skeletons:
+            self._workers.workspaces(skeleton.count)
+        self._layout = lay_out(spans, skeletons, characters, poses)
+        self._cohorts = self._layout.cohorts
+        self._body_of_row = np.repeat([s.body for s in spans], [s.rows for s in spans])
+        self._ground_of_row = np.repeat([s.ground for s in spans], [s.rows for s in spans])
+        self._make_hands_room(len(characters))
+        self._make_goals_room()
         self._stale = True
 
     def advance(self, dt: float) -> None:
@@ -128,41 +126,49 @@ class Crowd(Standing, Reaching, Populating):
             raise ArgumentError(f"dt is {dt} s; it must be finite and >= 0")
         self._refresh()
         left = float(dt)
-        while self._parameters.moving and left > FINEST:
+        while left > FINEST and self._steered():
             self._step(FINEST)
             left -= FINEST
         self._step(left)
 
     def _step(self, dt: float) -> None:
         """Let a time pass in which parameters are worked out once."""
-        if self._parameters.moving and dt > 0.0:
-            self._parameters.advance(self._shelf, self._characters, self.library.actions, dt)
+        if dt > 0.0 and self._steered():
+            self._steer(dt)
 
-        def advance(work: Workspace, first: int, end: int) -> None:
-            advance_blocks(
-                self._shelf,
-                self._packed_ground,
-                self._rig,
-                self._characters,
-                work,
-                self._rules,
-                self._poses,
-                dt,
-                first,
-                end,
-            )
+        def advance(thread: int, first: int, end: int) -> None:
+            for cohort in self._cohorts:
+                begin = cohort.span.first // LANES
+                here, after = max(first - begin, 0), min(end - begin, len(cohort.poses))
+                if here >= after:
+                    continue
+                body = self._bodies.all[cohort.span.body]
+                advance_blocks(
+                    body.shelf,
+                    self._packed_grounds[cohort.span.ground],
+                    body.rig,
+                    cohort.characters,
+                    self._workers.workspaces(body.skeleton.count)[thread],
+                    self._rules,
+                    cohort.poses,
+                    dt,
+                    here,
+                    after,
+                )
 
-        self._workers.run(advance, len(self._poses))
+        self._workers.run(advance, blocks_of(self.size))
         self._stale = True
-        if self._hands is not None:
+        if self._hands is not None or self._goals is not None:
             self._in_world()
-            self._move_hands(self._world_rotations, self._world_positions, dt)
+            self._move_hands(dt)
+            self._meet_goals(dt)
 
     def _in_world(self) -> None:
         if self._stale:
-            world_poses_of(
-                self._characters, self._poses, self._world_rotations, self._world_positions
-            )
+            for cohort in self._cohorts:
+                world_poses_of(
+                    cohort.characters, cohort.poses, cohort.world_rotations, cohort.world_positions
+                )
             self._stale = False
 
     @property
@@ -171,14 +177,29 @@ class Crowd(Standing, Reaching, Populating):
         return self._characters
 
     @property
+    def skeleton(self) -> Skeleton:
+        """The body of the first cohort."""
+        return self._bodies.all[0].skeleton
+
+    @property
+    def bodies(self) -> tuple[Skeleton, ...]:
+        """All bodies, in the order in which they came."""
+        return tuple(body.skeleton for body in self._bodies.all)
+
+    @property
+    def body_of_row(self) -> Indices:
+        """Which of `bodies` each row has, shape (rows,)."""
+        return self._body_of_row
+
+    @property
     def rig(self) -> Rig:
-        """Their body as the kernels take it."""
-        return self._rig
+        """The body of the first cohort as the kernels take it."""
+        return self._bodies.all[0].rig
 
     @property
     def packed_ground(self) -> Ground:
-        """What they stand on, as the kernels take it."""
-        return self._packed_ground
+        """What the first cohort stands on, as the kernels take it."""
+        return self._packed_grounds[self._cohorts[0].span.ground]
 
     @property
     def poses(self) -> SmallFloats:
@@ -186,23 +207,35 @@ class Crowd(Standing, Reaching, Populating):
 
         Rotation w, x, y, z and position x, y, z [m] of each joint, shape (blocks, joints, 7, 8):
         character `row` is in block `row // 8`, place `row % 8`. A view that advance overwrites.
+
+        Raises:
+            ArgumentError: If there are bodies of different numbers of joints; read `cohorts`.
         """
-        return self._poses
+        return self._layout.common().poses
 
     @property
     def world_positions(self) -> Positions:
         """Joints in the world [m], shape (rows, joints, 3), worked out when they are asked for.
 
         A view that is overwritten when they are asked for after the next advance.
+
+        Raises:
+            ArgumentError: As `poses`.
         """
         self._in_world()
-        return self._world_positions
+        return self._layout.common().world_positions
 
     @property
     def world_rotations(self) -> Rotations:
         """Joints in the world, shape (rows, joints, 4); likewise."""
         self._in_world()
-        return self._world_rotations
+        return self._layout.common().world_rotations
+
+    @property
+    def cohorts(self) -> tuple[Cohort, ...]:
+        """Rows side by side that have one body, with their poses: views, likewise."""
+        self._in_world()
+        return self._cohorts
 
     @property
     def supports(self) -> Supports:

@@ -1,32 +1,28 @@
-"""What a character's hands, eyes and seat are to meet after the blend: `Character.goals`."""
+"""What hands, eyes and seats are to meet after the blend: `Crowd.goals` and `Character.goals`."""
 
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Literal, get_args
+from typing import Any, Literal, get_args
 
 import numpy as np
 import numpy.typing as npt
 
-from footfall.adaptation.goal_body import goal_body_of
-from footfall.adaptation.goals import (
-    GAZE,
-    HANDS,
-    SEAT,
-    GoalMemory,
-    meet_goals,
-)
-from footfall.arrays import Positions, Rotations
+from footfall.adaptation.goal_body import GoalBody
+from footfall.adaptation.goals import GAZE, HANDS, SEAT, meet_goals, new_goals
+from footfall.arrays import Floats, Indices, Positions, Rotations
+from footfall.engine.goal_checks import check_fading, heights_of, places_of
+from footfall.engine.rows import Rows, check_present
 from footfall.errors import ArgumentError, UnknownNameError
-from footfall.skeleton import Anatomy, Skeleton
 
-__all__ = ["Goals", "Hand", "Unreached"]
+__all__ = ["GOAL_NAMES", "Goals", "Hand", "Unreached"]
 
 Hand = Literal["left", "right"]
 """Which hand."""
 
-NAMES = ("left hand", "right hand", "gaze", "seat")
+GOAL_NAMES = ("left hand", "right hand", "gaze", "seat")
 """What the goals are called, in the order of `GoalMemory`."""
 
 JUMP = 0.05
@@ -47,165 +43,207 @@ class Unreached:
     missed: float
     """By how much [m], of the gaze [rad]."""
 
+    row: int = 0
+    """Whose goal: the row of the crowd."""
+
 
 class Goals:
-    """The goals of one character. Each fades in when it is set, and out when it is dropped.
+    """The goals of characters. Each fades in when it is set, and out when it is dropped.
 
-    To follow something that moves, set the goal again before every advance.
+    To follow something that moves, set the goal again before every advance. `rows` are row
+    numbers, a mask, or None for all: a character alone needs none.
     """
 
-    def __init__(self, skeleton: Skeleton, anatomy: Anatomy) -> None:
-        """Begin without goals.
+    def __init__(self) -> None:
+        """Begin without characters: see `make_room`."""
+        self.memory: npt.NDArray[Any] = new_goals(0)
+        """All that is remembered: records of `GoalMemory`, shape (rows,)."""
+
+    def make_room(
+        self, characters: npt.NDArray[Any], bodies: Sequence[GoalBody], body_of_row: Indices
+    ) -> None:
+        """Take over more characters; the new ones have no goal.
 
         Args:
-            skeleton: The character's body.
-            anatomy: What its joints are.
+            characters: Records of all of them, shape (rows,).
+            bodies: What of each body meets goals.
+            body_of_row: Which body each character has, shape (rows,).
         """
-        self._body = goal_body_of(skeleton, anatomy)
-        self._memory = GoalMemory.empty()
+        memory = new_goals(len(characters))
+        memory[: len(self.memory)] = self.memory
+        self.memory, self._characters = memory, characters
+        self._bodies, self._body_of_row = bodies, body_of_row
+
+    def forget(self, rows: Indices) -> None:
+        """Take all goals from some rows, at once."""
+        self.memory[rows] = new_goals(1)[0]
 
     def reach(
-        self, hand: Hand, place: npt.ArrayLike, *, weight: float = 1.0, fade: float = 0.3
+        self,
+        hand: Hand,
+        place: npt.ArrayLike,
+        rows: Rows = None,
+        *,
+        weight: float = 1.0,
+        fade: float = 0.3,
     ) -> None:
         """Let a hand reach for a place: its wrist comes there.
 
         Args:
             hand: "left" or "right".
-            place: In the world [m], shape (3,).
+            place: In the world [m], shape (3,) or (rows, 3).
+            rows: Which characters.
             weight: How much of the way it goes, 0 to 1.
             fade: How long until it is there [s], >= 0.
 
         Raises:
             UnknownNameError: If there is no such hand.
-            ArgumentError: If the body has no such arm, or a number is out of range.
+            ArgumentError: If a body has no such arm, a row does not exist, or a number is out of
+                range.
         """
-        side = self._side(hand)
-        self._memory.together[0] = -1.0
-        self._set(HANDS[side], _place(f"the goal of the {hand} hand", place), weight, fade)
+        chosen = self._chosen(rows)
+        side = self._side(hand, chosen)
+        places = places_of(f"the goal of the {hand} hand", place, len(chosen))
+        self._set(HANDS[side], places, chosen, weight, fade)
+        self.memory["together"][chosen, 0] = -1.0
 
-    def join_hands(self, apart: float = 0.05, *, weight: float = 1.0, fade: float = 0.3) -> None:
+    def join_hands(
+        self, apart: float = 0.05, rows: Rows = None, *, weight: float = 1.0, fade: float = 0.3
+    ) -> None:
         """Let both hands come to each other, in the middle between where they are.
 
         Args:
             apart: How far apart the wrists are then [m], >= 0; change it to applaud.
+            rows: Which characters.
             weight: How much of the way they go, 0 to 1.
             fade: How long until they are there [s], >= 0.
 
         Raises:
-            ArgumentError: If the body has not two arms, or a number is out of range.
+            ArgumentError: If a body has not two arms, a row does not exist, or a number is out of
+                range.
         """
+        chosen = self._chosen(rows)
         for hand in get_args(Hand):
-            self._side(hand)
+            self._side(hand, chosen)
         if not (math.isfinite(apart) and apart >= 0.0):
             raise ArgumentError(f"hands {apart} m apart; it must be finite and >= 0")
-        memory = self._memory
-        if memory.together[0] < 0.0:
-            reaching = bool(memory.progress[list(HANDS)].any())
-            memory.together[1] = float(reaching)
-            if not reaching:
-                memory.lags[list(HANDS)] = 0.0
+        check_fading(weight, fade)
+        begin = chosen[self.memory["together"][chosen, 0] < 0.0]
+        reaching = self.memory["progress"][begin][:, HANDS].any(axis=1)
+        self.memory["together"][begin, 1] = reaching
         for goal in HANDS:
-            self._fade_in(goal, weight, fade)
-        memory.together[0] = apart
+            self.memory["lags"][begin[~reaching], goal] = 0.0
+            self._fade_in(goal, chosen, weight, fade)
+        self.memory["together"][chosen, 0] = apart
 
-    def look_at(self, place: npt.ArrayLike, *, weight: float = 1.0, fade: float = 0.3) -> None:
+    def look_at(
+        self, place: npt.ArrayLike, rows: Rows = None, *, weight: float = 1.0, fade: float = 0.3
+    ) -> None:
         """Let the face look at a place; arguments and errors as of `reach`."""
-        if self._body.head < 0:
+        chosen = self._chosen(rows)
+        if any(body.head < 0 for body in self._bodies_of(chosen)):
             raise ArgumentError("a gaze for a body without a head; it has none to turn")
-        self._set(GAZE, _place("the goal of the gaze", place), weight, fade)
+        places = places_of("the goal of the gaze", place, len(chosen))
+        self._set(GAZE, places, chosen, weight, fade)
 
-    def sit(self, height: float, *, weight: float = 1.0, fade: float = 0.3) -> None:
+    def sit(
+        self, height: npt.ArrayLike, rows: Rows = None, *, weight: float = 1.0, fade: float = 0.3
+    ) -> None:
         """Keep the hips at a height, the feet where they are.
 
         Args:
-            height: Of the hip joints in the world [m].
+            height: Of the hip joints in the world [m], shape () or (rows,).
+            rows: Which characters.
             weight: How much of the way they go, 0 to 1.
             fade: How long until they are there [s], >= 0.
 
         Raises:
-            ArgumentError: If a number is out of range.
+            ArgumentError: If a row does not exist or a number is out of range.
         """
-        self._set(SEAT, _place("the height of the seat", (0.0, height, 0.0)), weight, fade)
+        chosen = self._chosen(rows)
+        places = heights_of("the height of the seat", height, len(chosen))
+        self._set(SEAT, places, chosen, weight, fade)
 
-    def drop(self, name: str, *, fade: float = 0.3) -> None:
+    def drop(self, name: str, rows: Rows = None, *, fade: float = 0.3) -> None:
         """Let a goal fade out.
 
         Args:
             name: "left hand", "right hand", "gaze" or "seat".
+            rows: Which characters.
             fade: How long until it is gone [s], >= 0.
 
         Raises:
             UnknownNameError: If there is no goal of this name.
-            ArgumentError: If the fade is out of range.
+            ArgumentError: If a row does not exist or the fade is out of range.
         """
-        if name not in NAMES:
-            raise UnknownNameError("goal", name, list(NAMES))
-        _check_fade(fade)
-        goal = NAMES.index(name)
+        if name not in GOAL_NAMES:
+            raise UnknownNameError("goal", name, list(GOAL_NAMES))
+        chosen = self._chosen(rows)
+        check_fading(1.0, fade)
+        goal = GOAL_NAMES.index(name)
         if fade == 0.0:
-            self._memory.progress[goal] = 0.0
-        self._memory.fades[goal] = -fade
+            self.memory["progress"][chosen, goal] = 0.0
+        self.memory["fades"][chosen, goal] = -fade
+
+    @property
+    def missed(self) -> Floats:
+        """By how much the last pose misses each goal [m], of the gaze [rad]: a view, (rows, 4)."""
+        return self.memory["missed"]
 
     @property
     def unreached(self) -> tuple[Unreached, ...]:
         """The goals that the last pose does not meet, and by how much."""
+        far = np.argwhere((self.missed > NEAR) & (self._characters["present"] != 0)[:, np.newaxis])
+        places: list[list[int]] = far.tolist()
         return tuple(
-            Unreached(NAMES[goal], float(missed))
-            for goal, missed in enumerate(self._memory.missed)
-            if missed > NEAR
+            Unreached(GOAL_NAMES[goal], float(self.missed[row, goal]), row) for row, goal in places
         )
 
-    def meet(self, heading: float, dt: float, rotations: Rotations, positions: Positions) -> None:
-        """Change a finished pose so that the goals are met; for `Character.advance`.
+    def meet(self, rows: slice, rotations: Rotations, positions: Positions, dt: float) -> None:
+        """Change finished poses so that the goals are met; for `Crowd.advance`.
 
         Args:
-            heading: Where the body faces [rad].
+            rows: Rows side by side that have one body.
+            rotations: Their joints in the world, shape (rows, joints, 4); rewritten.
+            positions: Likewise [m], shape (rows, joints, 3).
             dt: Time since the last pose [s].
-            rotations: Joints in the world, shape (joints, 4); rewritten.
-            positions: Likewise [m], shape (joints, 3).
         """
-        memory = self._memory
-        if memory.progress.any() or (memory.fades > 0.0).any():
-            meet_goals(self._body, memory, heading, dt, rotations, positions)
+        body = self._bodies[int(self._body_of_row[rows.start])]
+        headings = self._characters["root"][rows, 2].copy()
+        meet_goals(body, self.memory[rows], headings, dt, rotations, positions)
 
-    def _side(self, hand: str) -> int:
+    def _chosen(self, rows: Rows) -> Indices:
+        return check_present(rows, self._characters)
+
+    def _bodies_of(self, chosen: Indices) -> list[GoalBody]:
+        return [self._bodies[index] for index in np.unique(self._body_of_row[chosen]).tolist()]
+
+    def _side(self, hand: str, chosen: Indices) -> int:
         if hand not in get_args(Hand):
             raise UnknownNameError("hand", hand, list(get_args(Hand)))
         side = get_args(Hand).index(hand)
-        if self._body.arms.limbs[side, 0] < 0:
+        if any(body.arms.limbs[side, 0] < 0 for body in self._bodies_of(chosen)):
             raise ArgumentError(f"a goal for the {hand} hand of a body without that arm")
         return side
 
-    def _set(self, goal: int, place: Positions, weight: float, fade: float) -> None:
-        memory = self._memory
-        self._fade_in(goal, weight, fade)
-        moved = memory.targets[goal] - place
-        if memory.progress[goal] > 0.0 and np.linalg.norm(moved) > JUMP:
-            memory.lags[goal] += moved
-        elif memory.progress[goal] == 0.0:
-            memory.lags[goal] = 0.0
-        memory.targets[goal] = place
+    def _set(
+        self, goal: int, places: Positions, chosen: Indices, weight: float, fade: float
+    ) -> None:
+        check_fading(weight, fade)
+        memory = self.memory
+        seen = memory["progress"][chosen, goal] > 0.0
+        moved = memory["targets"][chosen, goal] - places
+        jumped = seen & (np.linalg.norm(moved, axis=-1) > JUMP)
+        memory["lags"][chosen[jumped], goal] += moved[jumped]
+        memory["lags"][chosen[~seen], goal] = 0.0
+        memory["targets"][chosen, goal] = places
+        self._fade_in(goal, chosen, weight, fade)
 
-    def _fade_in(self, goal: int, weight: float, fade: float) -> None:
-        _check_fade(fade)
-        if not 0.0 <= weight <= 1.0:
-            raise ArgumentError(f"a goal with a weight of {weight}; it must be within 0..1")
-        memory = self._memory
-        memory.wanted[goal] = weight
-        if memory.progress[goal] == 0.0:
-            memory.weights[goal] = weight
+    def _fade_in(self, goal: int, chosen: Indices, weight: float, fade: float) -> None:
+        memory = self.memory
+        memory["wanted"][chosen, goal] = weight
+        unseen = chosen[memory["progress"][chosen, goal] == 0.0]
+        memory["weights"][unseen, goal] = weight
         if fade == 0.0:
-            memory.progress[goal] = 1.0
-        memory.fades[goal] = fade
-
-
-def _check_fade(fade: float) -> None:
-    if not (math.isfinite(fade) and fade >= 0.0):
-        raise ArgumentError(f"a goal that fades in {fade} s; it must be finite and >= 0")
-
-
-def _place(label: str, place: npt.ArrayLike) -> Positions:
-    found = np.array(place, dtype=np.float64)
-    if found.shape != (3,) or not np.isfinite(found).all():
-        raise ArgumentError(f"{label} is {place}; it must be three finite numbers")
-    return found
+            memory["progress"][chosen, goal] = 1.0
+        memory["fades"][chosen, goal] = fade

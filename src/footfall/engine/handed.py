@@ -8,7 +8,6 @@ import numpy.typing as npt
 
 from footfall.engine.crowd import Crowd
 from footfall.engine.goal_setting import Goals
-from footfall.engine.library import MotionLibrary
 from footfall.engine.reaching import HandState, Side
 
 __all__ = ["Handed"]
@@ -16,9 +15,6 @@ __all__ = ["Handed"]
 
 class Handed(ABC):
     """The part of a character that meets things of the world after the blend."""
-
-    library: MotionLibrary
-    _goals: Goals | None = None
 
     @property
     @abstractmethod
@@ -32,16 +28,7 @@ class Handed(ABC):
         Raises:
             ArgumentError: If there is no action yet.
         """
-        if self._goals is None:
-            self._goals = Goals(self.crowd.skeleton, self.library.anatomy)
-        return self._goals
-
-    def _meet_goals(self, dt: float) -> None:
-        """Turn the pose that has just been worked out towards the goals."""
-        if self._goals is not None:
-            crowd = self.crowd
-            heading = float(crowd.characters["root"][0, 2])
-            self._goals.meet(heading, dt, crowd.world_rotations[0], crowd.world_positions[0])
+        return self.crowd.goals
 
     def reach(
         self,

@@ -9,12 +9,13 @@ import numpy as np
 from footfall.actions import GaitCycle, Locomotion
 from footfall.engine.action import Action, entries_of
 from footfall.engine.layer import layer_shelf_of
-from footfall.engine.library_layers import LibraryLayers
+from footfall.engine.library_sources import LibrarySources
 from footfall.engine.packing import PackedClip
 from footfall.engine.priorities import parse_priority
 from footfall.engine.shelf import Shelf
-from footfall.errors import ArgumentError, UnknownNameError
+from footfall.errors import ArgumentError
 from footfall.motion import Clip
+from footfall.skeleton import Skeleton
 from footfall.skeleton.normalized import by_component
 from footfall.support import SupportSequence
 from footfall.sync.tables import Planner, SequenceTable
@@ -22,27 +23,31 @@ from footfall.sync.tables import Planner, SequenceTable
 __all__ = ["Action", "MotionLibrary"]
 
 
-class MotionLibrary(LibraryLayers):
+class MotionLibrary(LibrarySources):
     """Actions of one skeleton family, packed for the kernels.
 
     A new clip is appended: it touches no other, and no index ever changes.
     """
 
-    @property
-    def actions(self) -> tuple[Action, ...]:
-        """All actions; an action's id is its index."""
-        return tuple(self._actions)
+    def adapted(self, skeleton: Skeleton) -> MotionLibrary:
+        """Return this library as another body performs it: all its actions and layers by their ids.
 
-    def index(self, name: str) -> int:
-        """Return the id of an action.
+        It is made once for a body; asked for again it learns what has been added since.
+
+        Args:
+            skeleton: That very body is asked for again, of whatever family.
 
         Raises:
-            UnknownNameError: If there is none of this name.
+            SkeletonError: If a motion cannot be retargeted.
         """
-        for index, action in enumerate(self._actions):
-            if action.name == name:
-                return index
-        raise UnknownNameError("action", name, [action.name for action in self._actions])
+        other = next((one for one in self._adapted if one.skeleton is skeleton), None)
+        if other is None:
+            other = type(self)(skeleton=skeleton)
+            other._stand_as(self)
+            self._adapted.append(other)
+        for addition in self._additions[other.size :]:
+            addition(other)
+        return other
 
     def add(
         self,
@@ -73,7 +78,20 @@ class MotionLibrary(LibraryLayers):
         """
         self._check_new(name, fade_in, fade_out)
         values = parse_priority(priority)
-        clip, packed = self._packed(repr(name), clip, supports)
+        given = clip
+        with self._unchanged_if_refused():
+            clip, packed = self._packed(repr(name), clip, supports)
+        self._given[name] = given
+        self._additions.append(
+            lambda other: other.add(
+                name,
+                self._given[name],
+                supports,
+                priority=priority,
+                fade_in=fade_in,
+                fade_out=fade_out,
+            )
+        )
         self._actions.append(Action(name, clip, supports, values, fade_in, fade_out, packed))
         return len(self._actions) - 1
 
@@ -111,6 +129,36 @@ class MotionLibrary(LibraryLayers):
         values = parse_priority(priority)
         if not clips:
             raise ArgumentError(f"{name!r} has no clip; a locomotion needs at least one")
+        with self._unchanged_if_refused():
+            packs, cycles = self._packed_gaits(name, clips)
+            rig = self.rig()
+            gaits = Locomotion(cycles, rig.leg_sides, rig.leg_length)
+            begin = gaits.checked(speed, turn)
+            mix = gaits.mix(*begin)
+        resting = np.einsum("c,cfp->fp", mix.shares, [p.resting_heights for _, p in packs])
+        gait = tuple((clip, one[1]) for (clip, _), one in zip(packs, clips, strict=True))
+        packed = packs[0][1]._replace(keys=mix.keys, roots=mix.roots, resting_heights=resting)
+        fades, first = (fade_in, fade_out), packs[0][0]
+        given = tuple(clips)
+        self._additions.append(
+            lambda other: other.add_locomotion(
+                name,
+                given,
+                speed=begin[0] * other.rig().leg_length / rig.leg_length,
+                turn=begin[1],
+                priority=priority,
+                fade_in=fade_in,
+                fade_out=fade_out,
+            )
+        )
+        self._actions.append(
+            Action(name, first, mix.supports, values, *fades, packed, gaits, begin, gait)
+        )
+        return len(self._actions) - 1
+
+    def _packed_gaits(
+        self, name: str, clips: Sequence[tuple[Clip, SupportSequence]]
+    ) -> tuple[list[tuple[Clip, PackedClip]], list[GaitCycle]]:
         packs: list[tuple[Clip, PackedClip]] = []
         cycles: list[GaitCycle] = []
         for index, (clip, supports) in enumerate(clips):
@@ -118,18 +166,7 @@ class MotionLibrary(LibraryLayers):
             packs.append(self._packed(label, clip, supports))
             packed, fps = packs[-1][1], packs[-1][0].fps
             cycles.append(GaitCycle.of(label, packed.keys, packed.roots, fps, supports))
-        rig = self.rig()
-        gaits = Locomotion(cycles, rig.leg_sides, rig.leg_length)
-        begin = gaits.checked(speed, turn)
-        mix = gaits.mix(*begin)
-        resting = np.einsum("c,cfp->fp", mix.shares, [p.resting_heights for _, p in packs])
-        gait = tuple((clip, one[1]) for (clip, _), one in zip(packs, clips, strict=True))
-        packed = packs[0][1]._replace(keys=mix.keys, roots=mix.roots, resting_heights=resting)
-        fades, first = (fade_in, fade_out), packs[0][0]
-        self._actions.append(
-            Action(name, first, mix.supports, values, *fades, packed, gaits, begin, gait)
-        )
-        return len(self._actions) - 1
+        return packs, cycles
 
     def shelf(self, planner: Planner = "footfall") -> Shelf:
         """Return the library as the kernels take it.

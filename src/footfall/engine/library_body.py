@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Generator
+from contextlib import contextmanager
+from typing import Any
+
 from footfall.arrays import Floats, SmallFloats
 from footfall.engine.action import Action, check_supports
 from footfall.engine.layer import Layer
 from footfall.engine.packing import PackedClip, carrying_feet, pack_clip, pack_standing
-from footfall.errors import ArgumentError, SkeletonError
+from footfall.errors import ArgumentError, SkeletonError, UnknownNameError
 from footfall.motion import Clip, with_soles
 from footfall.motion.retargeting import map_clip, retarget
 from footfall.skeleton import Anatomy, Skeleton, find_anatomy, leg_length, resized
@@ -29,7 +33,11 @@ class LibraryBody:
         """
         self._neutral = neutral
         self._actions: list[Action] = []
+        self._resampled: int = 0
+        self._given: dict[str, Clip] = {}
         self._layers: list[Layer] = []
+        self._additions: list[Callable[[Any], int]] = []
+        self._adapted: list[Any] = []
         self._skeleton = skeleton
         self._anatomy: Anatomy | None = None
         self._standing: SmallFloats | None = None
@@ -56,11 +64,37 @@ class LibraryBody:
             self._anatomy = find_anatomy(self.skeleton)
         return self._anatomy
 
+    @property
+    def actions(self) -> tuple[Action, ...]:
+        """All actions; an action's id is its index."""
+        return tuple(self._actions)
+
+    def index(self, name: str) -> int:
+        """Return the id of an action.
+
+        Raises:
+            UnknownNameError: If there is none of this name.
+        """
+        for index, action in enumerate(self._actions):
+            if action.name == name:
+                return index
+        raise UnknownNameError("action", name, [action.name for action in self._actions])
+
     def rig(self, skeleton: Skeleton | None = None) -> Rig:
         """Return a body of this library's family, packed for the kernels."""
         if skeleton is None:
             return rig_of(self.skeleton, self.anatomy)
         return rig_of(skeleton, resized(self.anatomy, 1.0 / self._size_beside(skeleton)))
+
+    @contextmanager
+    def _unchanged_if_refused(self) -> Generator[None, None, None]:
+        """Let a first clip that is refused leave the library without a body, as it was."""
+        before = (self._skeleton, self._anatomy, self._standing, self._resting)
+        try:
+            yield
+        except BaseException:
+            self._skeleton, self._anatomy, self._standing, self._resting = before
+            raise
 
     def _packed(self, label: str, clip: Clip, supports: SupportSequence) -> tuple[Clip, PackedClip]:
         """Return a clip of this library's family, and the same normalized.
@@ -88,6 +122,16 @@ class LibraryBody:
             for one in (self.skeleton, skeleton)
         )
         return own / other
+
+    def _stand_as(self, other: LibraryBody) -> None:
+        """Let a character of this library that does nothing stand as one of another library.
+
+        Raises:
+            SkeletonError: If that posture cannot be retargeted.
+        """
+        if other._neutral is not None:
+            both = SupportSequence.parse("D")
+            self._neutral = self._in_family("the neutral motion", other._neutral, both)
 
     def _in_family(self, label: str, clip: Clip, supports: SupportSequence) -> Clip:
         """Return a clip on a skeleton of this library's family, its joints in their order."""

@@ -75,11 +75,16 @@ class LibraryLayers(LibraryBody):
         """
         self._check_new(name, fade_in, fade_out)
         turned = parse_parts(repr(name), parts)
+        given = clip
         clip = self._in_family(repr(name), clip, STANDING)
         pose = clip
         if reference is not None:
             pose = self._in_family(f"the reference of {name!r}", reference, STANDING)
         keys = pack_turns(clip, pose, self.anatomy, turned)
+        fades = {"fade_in": fade_in, "fade_out": fade_out}
+        self._additions.append(
+            lambda other: other.add_layer(name, given, parts=parts, reference=reference, **fades)
+        )
         self._layers.append(Layer(name, clip, turned, fade_in, fade_out, keys))
         return len(self._layers) - 1
 

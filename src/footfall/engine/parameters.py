@@ -6,7 +6,7 @@ shelf. Every clip of it keeps its place: the same share of the same phase (S-17)
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -24,7 +24,7 @@ from footfall.errors import ArgumentError
 from footfall.skeleton.normalized import by_component
 from footfall.support import Support, SupportSequence
 
-__all__ = ["FINEST", "Parameters", "keep_places"]
+__all__ = ["FINEST", "Parameters", "Parts", "keep_places"]
 
 ACCELERATION = 1.5
 """How fast a speed follows what is asked for [m/s²]."""
@@ -35,7 +35,9 @@ TURNING = 2.5
 FINEST = 1.0 / 60.0
 """Time between two mixes [s]."""
 
-Characters = npt.NDArray[Any]
+Parts = Sequence[tuple[Shelf, npt.NDArray[Any]]]
+"""All characters that an action's parameters move: the library as their body takes it, and their
+records, shape (rows,); one body after the other."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -71,7 +73,9 @@ class Parameters:
     @property
     def moving(self) -> bool:
         """Whether a parameter is on its way."""
-        return any(value.now != value.asked for value in self._values.values())
+        return bool(self._values) and any(
+            value.now != value.asked for value in self._values.values()
+        )
 
     def of(self, action: Action, index: int) -> tuple[float, float]:
         """Return the speed [m/s] and the turn [rad/s] that an action has now."""
@@ -84,7 +88,7 @@ class Parameters:
     def ask(
         self,
         shelf: Shelf,
-        characters: Characters,
+        parts: Parts,
         action: Action,
         index: int,
         asked: tuple[float | None, float | None],
@@ -104,49 +108,78 @@ class Parameters:
         )
         goal = action.locomotion.checked(*asked, default=value.asked)
         self._values[index] = _Value(value.now, goal, value.supports)
-        performed = (characters["action"] == index) & (characters["status"] != EMPTY)
-        if not performed.any():
-            self._move(shelf, characters, action, index, goal)
+        if not any(
+            ((part["action"] == index) & (part["status"] != EMPTY)).any() for _, part in parts
+        ):
+            self._move(shelf, parts, action, index, goal)
 
-    def advance(
-        self, shelf: Shelf, characters: Characters, actions: Sequence[Action], dt: float
-    ) -> None:
+    def advance(self, shelf: Shelf, parts: Parts, actions: Sequence[Action], dt: float) -> None:
         """Let every parameter go on its way for a time [s]."""
         for index, value in list(self._values.items()):
             if value.now != value.asked:
-                self._move(shelf, characters, actions[index], index, value.after(dt))
+                self._move(shelf, parts, actions[index], index, value.after(dt))
 
-    def write(self, shelf: Shelf, characters: Characters, actions: Sequence[Action]) -> None:
+    def write(self, shelf: Shelf, parts: Parts, actions: Sequence[Action]) -> None:
         """Write every mix into a new shelf."""
         for index, value in list(self._values.items()):
-            self._move(shelf, characters, actions[index], index, value.now)
+            self._move(shelf, parts, actions[index], index, value.now)
+
+    def snapshot(self, shelf: Shelf, actions: Sequence[Action]) -> dict[str, npt.NDArray[Any]]:
+        """Return where every parameter is, where it goes, and what its mix stands on.
+
+        Returns:
+            "values": speed and turn now, and as asked for, as the library has them where nothing
+            was asked for, shape (actions, 4); "supports": of each phase, shape (phases,).
+        """
+        values = [
+            [*self.of(action, index), *(self._values[index].asked if index in self._values else ())]
+            for index, action in enumerate(actions)
+        ]
+        told = [value if len(value) == 4 else 2 * value for value in values]
+        return {"values": np.array(told), "supports": np.array(shelf.table.supports)}
+
+    def restore(
+        self, shelf: Shelf, actions: Sequence[Action], told: Mapping[str, npt.NDArray[Any]]
+    ) -> None:
+        """Go back to what `snapshot` told, and write every mix as it was."""
+        first = 0
+        for index, action in enumerate(actions):
+            kinds = told["supports"][first : first + len(action.supports.phases)].tolist()
+            first += len(kinds)
+            speed, turn, *asked = told["values"][index].tolist()
+            if action.locomotion is not None:
+                kept = {phase: Support(kind) for phase, kind in enumerate(kinds)}
+                mix = action.locomotion.mix(speed, turn, kept=kept)
+                self._values[index] = _Value((speed, turn), (asked[0], asked[1]), mix.supports)
+                _write_mix(shelf, index, mix)
 
     def _move(
         self,
         shelf: Shelf,
-        characters: Characters,
+        parts: Parts,
         action: Action,
         index: int,
         now: tuple[float, float],
     ) -> None:
         assert action.locomotion is not None
         value = self._values[index]
-        mix = action.locomotion.mix(*now, kept=_kept(characters, index, value.supports))
+        mix = action.locomotion.mix(*now, kept=_kept(parts, index, value.supports))
         self._values[index] = _Value(now, value.asked, mix.supports)
         old = np.array(value.supports.boundaries)
         _write_mix(shelf, index, mix)
-        keep_places(shelf, characters, index, old, np.array(mix.supports.boundaries))
+        for own, part in parts:
+            keep_places(own, part, index, old, np.array(mix.supports.boundaries))
 
 
-def _kept(characters: Characters, index: int, supports: SupportSequence) -> dict[int, Support]:
+def _kept(parts: Parts, index: int, supports: SupportSequence) -> dict[int, Support]:
     """Return the supports of the phases that are being played.
 
     Of one character: a crowd plays all of them at any time, and each of its characters has the
     support of its present slot in its own record.
     """
-    if len(characters) > 1:
+    if sum(len(part) for _, part in parts) > 1:
         return {}
-    me = characters[0]
+    me = parts[0][1][0]
     playing = (me["action"] == index) & (me["playing"] != 0)
     count = len(supports.phases)
     phases = {int(phase) % count for phase in me["phases"][playing, 0]}

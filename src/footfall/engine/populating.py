@@ -1,21 +1,24 @@
-"""Who is in a crowd, in how much detail, and all that it remembers as plain arrays."""
+"""Who is in a crowd, with which body, and in how much detail."""
 
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Mapping
+from collections.abc import Sequence
 from typing import Any, Literal
 
 import numpy as np
 import numpy.typing as npt
 
-from footfall.arrays import Flags, Indices, SmallFloats
+from footfall.adaptation import AnyGround
+from footfall.arrays import Flags, Indices
+from footfall.engine.bodies import Bodies
+from footfall.engine.cohorts import Cohort, Span, with_more
 from footfall.engine.record import FULL, HALF_RATE, NO_REACHING
 from footfall.engine.rows import Rows, check_present, place_characters
 from footfall.errors import ArgumentError
-from footfall.octets import LANES
+from footfall.skeleton import Skeleton
 
-__all__ = ["Detail", "Populating", "blocks_of"]
+__all__ = ["Detail", "Populating"]
 
 Detail = Literal["full", "no reaching", "half rate"]
 """How much is worked out of a character: everything; legs as the motions have them, whatever the
@@ -28,13 +31,23 @@ class Populating(ABC):
     """The part of a crowd that knows who is in it."""
 
     _characters: npt.NDArray[Any]
-    _poses: SmallFloats
     _newborn: npt.NDArray[Any]
-    _stale: bool
+    _bodies: Bodies
+    _cohorts: tuple[Cohort, ...]
+    _body_of_row: Indices
+    _ground_of_row: Indices
 
     @abstractmethod
-    def _make_room(self, rows: int) -> None:
-        """Let the arrays have so many rows; nobody is in the new ones."""
+    def _make_room(self, spans: Sequence[Span]) -> None:
+        """Let the arrays have the rows of some spans; nobody is in the new ones."""
+
+    @abstractmethod
+    def _stand_on(self, ground: AnyGround) -> int:
+        """Return the number of a ground, which becomes one of the crowd if it is not yet."""
+
+    @abstractmethod
+    def _empty_hands(self, rows: Indices) -> None:
+        """Let characters reach for nothing, and have no goal."""
 
     @property
     def size(self) -> int:
@@ -47,34 +60,53 @@ class Populating(ABC):
         return self._characters["present"] != 0
 
     def spawn(
-        self, count: int, position: npt.ArrayLike = (0.0, 0.0), heading: npt.ArrayLike = 0.0
+        self,
+        count: int,
+        position: npt.ArrayLike = (0.0, 0.0),
+        heading: npt.ArrayLike = 0.0,
+        *,
+        body: Skeleton | None = None,
+        ground: AnyGround | None = None,
     ) -> Indices:
         """Let more characters come; they do nothing yet.
 
-        Rows of characters that have been removed are used first. Where there are more, all arrays
-        are made anew: views of them, taken before, no longer follow.
+        Rows of characters that are gone are used first, of that body and on that ground. Where
+        there are more, all arrays are made anew: views of them, taken before, no longer follow.
+
+        Those alike are worked on eight at a time: where the last row is of others, up to seven
+        rows stay empty before the new ones. Who is spawned together costs least.
 
         Args:
             count: How many, >= 0.
             position: Where: x and z [m], shape (2,) or (count, 2).
             heading: Yaw [rad], 0 facing +z, shape () or (count,).
+            body: Theirs; by default that of the crowd. Of the library's family, or any other one
+                that its motions can be retargeted to, which is done when it comes first.
+            ground: What they stand on; by default what the crowd does. It is theirs until it is
+                exchanged: see `exchange_ground`.
 
         Returns:
             Their rows, which never change while they are here, shape (count,).
 
         Raises:
             ArgumentError: If the count is negative or a number is not finite.
+            SkeletonError: If the motions cannot be adapted to the body.
         """
         if count < 0:
             raise ArgumentError(f"{count} characters to spawn; it must be at least 0")
-        rows = np.flatnonzero(~self.present)[:count]
-        if len(rows) < count:
-            more = self.size + np.arange(count - len(rows))
-            self._make_room(self.size + len(more))
-            rows = np.concatenate([rows, more])
         born = np.repeat(self._newborn, count)
         place_characters(born, np.arange(count), position, heading)
+        kind = self._bodies.index_of(body)
+        floor = 0 if ground is None else self._stand_on(ground)
+        alike = (self._body_of_row == kind) & (self._ground_of_row == floor)
+        rows = np.flatnonzero(~self.present & alike)[:count]
+        if len(rows) < count:
+            lacking = count - len(rows)
+            spans = with_more([cohort.span for cohort in self._cohorts], kind, floor, lacking)
+            self._make_room(spans)
+            rows = np.concatenate([rows, self.size + np.arange(-lacking, 0)])
         self._characters[rows] = born
+        self._empty_hands(rows)
         return rows
 
     def remove(self, rows: Rows) -> None:
@@ -114,36 +146,3 @@ class Populating(ABC):
             )
         for field in ("synchronized", "printed"):
             self._characters[field][chosen] = synchronized
-
-    def snapshot(self) -> dict[str, npt.NDArray[Any]]:
-        """Return all that the crowd remembers, as plain arrays that can be saved.
-
-        The library, the body and the ground are not in it.
-        """
-        names = self._characters.dtype.names or ()
-        arrays = {name: np.array(self._characters[name]) for name in names}
-        return {**arrays, "poses": self._poses.copy()}
-
-    def restore(self, snapshot: Mapping[str, npt.NDArray[Any]]) -> None:
-        """Go back to what the crowd, or one of the same library, size and look-ahead, remembered.
-
-        Raises:
-            ArgumentError: If an array is missing or has another shape.
-        """
-        own = self.snapshot()
-        for name, array in own.items():
-            if name not in snapshot or snapshot[name].shape != array.shape:
-                found = snapshot[name].shape if name in snapshot else "nothing"
-                raise ArgumentError(
-                    f"a snapshot with {found} for {name!r}; this crowd needs {array.shape}"
-                )
-        for name in own:
-            if name != "poses":
-                self._characters[name] = snapshot[name]
-        self._poses[:] = snapshot["poses"]
-        self._stale = True
-
-
-def blocks_of(rows: int) -> int:
-    """Return how many blocks of eight so many rows fill."""
-    return -(-rows // LANES)

@@ -10,12 +10,10 @@ import numpy.typing as npt
 
 from footfall.arrays import Positions
 from footfall.engine.hand_record import FREE, HOLDS, REACHES, new_hands
-from footfall.engine.hands import CLOSE, move_hands, palms_of
+from footfall.engine.hands import CLOSE, move_hands
 from footfall.engine.rows import Rows, check_present
 from footfall.engine.steering import Steering
 from footfall.errors import ArgumentError, SkeletonError
-from footfall.skeleton import Skeleton
-from footfall.skeleton.arm_ik import arm_rig_of
 
 __all__ = ["HandState", "Reaching", "Side"]
 
@@ -56,7 +54,6 @@ class HandState:
 class Reaching(Steering):
     """The part of a crowd that moves hands."""
 
-    skeleton: Skeleton
     _hands: npt.NDArray[Any] | None = None
 
     def reach(
@@ -90,19 +87,15 @@ class Reaching(Steering):
             raise ArgumentError(f"the point of a reach is {point}; it must be finite")
         if not 0.0 < fade < float("inf"):
             raise ArgumentError(f"the fade of a reach is {fade} s; it must be finite and > 0")
-        if self._hands is None:
-            self._hands = new_hands(len(self._characters))
-            self._palms = palms_of(
-                self.skeleton,
-                self.library.anatomy,
-                arm_rig_of(self.skeleton, self.library.anatomy),
-            )
-        if self._palms.arms.limbs[side, 2] < 0:
-            raise SkeletonError(
-                f"the skeleton has no {hand} arm that is known by its names; it cannot reach"
-            )
+        kinds: list[int] = np.unique(self._body_of_row[chosen]).tolist()
+        for kind in kinds:
+            if self._bodies.all[kind].palms.arms.limbs[side, 2] < 0:
+                raise SkeletonError(
+                    f"the skeleton has no {hand} arm that is known by its names; it cannot reach"
+                )
+        hands = self._make_hands()
         for row, place in zip(chosen, points, strict=True):
-            one = self._hands[row, side]
+            one = hands[row, side]
             if one["progress"] <= 0.0:
                 one["aim"], one["aim_velocity"] = place, 0.0
             one["point"], one["held"] = place, place
@@ -114,9 +107,9 @@ class Reaching(Steering):
         Raises:
             ArgumentError: If the hand or a row does not exist.
         """
-        side = self._side(hand)
+        side, chosen = self._side(hand), check_present(rows, self._characters)
         if self._hands is not None:
-            self._hands["task"][check_present(rows, self._characters), side] = FREE
+            self._hands["task"][chosen, side] = FREE
 
     def hand(self, hand: Side, row: int = 0) -> HandState:
         """Return what a hand of one character does now.
@@ -138,14 +131,25 @@ class Reaching(Steering):
             float(one["missing"]),
         )
 
-    def _move_hands(
-        self, world_rotations: Positions, world_positions: Positions, dt: float
-    ) -> None:
-        """Turn the arms of a pose that has just been worked out."""
-        if self._hands is not None:
+    def _move_hands(self, dt: float) -> None:
+        """Turn the arms of poses that have just been worked out."""
+        if self._hands is None:
+            return
+        for cohort in self._cohorts:
             move_hands(
-                self._palms, self._characters, self._hands, world_rotations, world_positions, dt
+                self._bodies.all[cohort.span.body].palms,
+                cohort.characters,
+                self._hands[cohort.span.first : cohort.span.end],
+                cohort.world_rotations,
+                cohort.world_positions,
+                dt,
             )
+
+    def _make_hands(self) -> npt.NDArray[Any]:
+        """Return the hands of everybody; until one is needed there are none."""
+        if self._hands is None:
+            self._hands = new_hands(len(self._characters))
+        return self._hands
 
     def _make_hands_room(self, rows: int) -> None:
         """Let as many characters have hands; those of the new ones are free."""

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from footfall.engine.layering import Layering
-from footfall.engine.parameters import Parameters
 from footfall.support import SupportSequence
 
 __all__ = ["Steering"]
@@ -12,13 +11,18 @@ __all__ = ["Steering"]
 class Steering(Layering):
     """The part of a crowd that steers what plays."""
 
-    _parameters: Parameters
+    def _steered(self) -> bool:
+        """Return whether a parameter is on its way."""
+        # A loop, since this is asked in every frame: a generator takes longer than the answer.
+        for one in self._bodies.repertoires:  # noqa: SIM110
+            if one.parameters.moving:
+                return True
+        return False
 
-    def _refresh(self) -> None:
-        known = self._known
-        super()._refresh()
-        if self._known != known:
-            self._parameters.write(self._shelf, self._characters, self.library.actions)
+    def _steer(self, dt: float) -> None:
+        """Let every parameter go on its way for a time [s]."""
+        for one in self._bodies.repertoires:
+            one.parameters.advance(one.shelf, self._parts(one), one.library.actions, dt)
 
     def set_parameters(
         self, action: int, *, speed: float | None = None, turn: float | None = None
@@ -27,7 +31,8 @@ class Steering(Layering):
 
         Args:
             action: Its id in the library.
-            speed: Forward [m/s]; None: as it is.
+            speed: Forward, of the library's own body [m/s]; None: as it is. Others go as many
+                of their leg lengths in the same time.
             turn: To the left [rad/s]; None: as it is.
 
         Raises:
@@ -35,9 +40,11 @@ class Steering(Layering):
                 reach the speed or the turn.
         """
         action = self._check_action(action)
-        self._parameters.ask(
-            self._shelf, self._characters, self.library.actions[action], action, (speed, turn)
-        )
+        own, *others = self._bodies.repertoires
+        own.ask(self._parts(own), action, speed, turn)
+        for other in others:
+            reached = None if speed is None else own.speed_of(other, action, speed)
+            other.ask(self._parts(other), action, reached, turn)
 
     def parameters_of(self, action: int) -> tuple[float, float]:
         """Return the speed [m/s] and the turn [rad/s] that a locomotion has by now.
@@ -46,7 +53,8 @@ class Steering(Layering):
             ArgumentError: If the action does not exist.
         """
         action = self._check_action(action)
-        return self._parameters.of(self.library.actions[action], action)
+        own = self._bodies.repertoires[0]
+        return own.parameters.of(self.library.actions[action], action)
 
     def supports_of(self, action: int) -> SupportSequence:
         """Return what an action stands on, a locomotion at its present parameters.
@@ -55,4 +63,5 @@ class Steering(Layering):
             ArgumentError: If the action does not exist.
         """
         action = self._check_action(action)
-        return self._parameters.supports(self.library.actions[action], action)
+        own = self._bodies.repertoires[0]
+        return own.parameters.supports(self.library.actions[action], action)

@@ -14,6 +14,7 @@ from concurrent.futures import ThreadPoolExecutor
 from footfall.engine.state import Workspace, new_workspace
 from footfall.errors import ArgumentError
 from footfall.octets import LANES
+from footfall.sync.search_memory import new_search_memory
 
 __all__ = ["Workers"]
 
@@ -23,18 +24,17 @@ SERIAL_BELOW = 2048
 SHARE = 128
 """Blocks that a thread takes at a time."""
 
-Task = Callable[[Workspace, int, int], None]
-"""Works on the blocks from one number to the one before another."""
+Task = Callable[[int, int, int], None]
+"""What a thread does, by its number, with blocks: the first one, and the one after the last."""
 
 
 class Workers:
     """Some threads, each with its own memory to work in."""
 
-    def __init__(self, joints: int, threads: int | None) -> None:
+    def __init__(self, threads: int | None) -> None:
         """Prepare threads; they start when they are needed first.
 
         Args:
-            joints: How many joints the bodies have.
             threads: How many, >= 1; None: one for each processor that may be used.
 
         Raises:
@@ -44,31 +44,35 @@ class Workers:
             threads = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else 1
         if threads < 1:
             raise ArgumentError(f"{threads} threads; a crowd needs at least 1")
-        self._workspaces = [new_workspace(joints) for _ in range(threads)]
+        self._threads = threads
+        self._workspaces: dict[int, list[Workspace]] = {}
+        self.search = new_search_memory()
+        """Memory of the planner for who gives commands."""
         self._executor: ThreadPoolExecutor | None = None
 
-    @property
-    def workspace(self) -> Workspace:
-        """The memory of the thread that gives commands."""
-        return self._workspaces[0]
+    def workspaces(self, joints: int) -> list[Workspace]:
+        """Return the memory of each thread for bodies of so many joints."""
+        if joints not in self._workspaces:
+            self._workspaces[joints] = [new_workspace(joints) for _ in range(self._threads)]
+        return self._workspaces[joints]
 
     def run(self, task: Task, blocks: int) -> None:
         """Work on all blocks, and wait until everything is done."""
-        if len(self._workspaces) == 1 or blocks * LANES < SERIAL_BELOW:
-            task(self._workspaces[0], 0, blocks)
+        if self._threads == 1 or blocks * LANES < SERIAL_BELOW:
+            task(0, 0, blocks)
             return
         if self._executor is None:
-            self._executor = ThreadPoolExecutor(len(self._workspaces) - 1, "footfall")
+            self._executor = ThreadPoolExecutor(self._threads - 1, "footfall")
         shares = itertools.count(0, SHARE)
 
-        def take_shares(workspace: Workspace) -> None:
+        def take_shares(thread: int) -> None:
             # Taking the next number of a count is one step for the interpreter: no two get one.
             for first in shares:
                 if first >= blocks:
                     return
-                task(workspace, first, min(first + SHARE, blocks))
+                task(thread, first, min(first + SHARE, blocks))
 
-        others = [self._executor.submit(take_shares, one) for one in self._workspaces[1:]]
-        take_shares(self._workspaces[0])
+        others = [self._executor.submit(take_shares, one) for one in range(1, self._threads)]
+        take_shares(0)
         for other in others:
             other.result()

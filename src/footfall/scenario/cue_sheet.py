@@ -15,6 +15,8 @@ from footfall.errors import FileFormatError, FootfallError, ScenarioError
 from footfall.scenario.cue_sheet_fields import Fields
 from footfall.scenario.cue_sheet_layers import layer_cues, read_layers
 from footfall.scenario.entries import ActionEntry, Cue, LayerEntry
+from footfall.scenario.goal_change import GOAL_KINDS
+from footfall.scenario.goal_fields import goal_change
 from footfall.scenario.ground_change import (
     GROUND_KINDS,
     HIGHEST,
@@ -35,7 +37,7 @@ FASTEST = 1000.0
 FASTEST_GAIT = 20.0
 """Greatest speed [m/s], and turn [rad/s], of a gait."""
 
-COMMANDS = ("start", "stop", "priority", "speed", "turn", "layer", "ground")
+COMMANDS = ("start", "stop", "priority", "speed", "turn", "layer", *GOAL_KINDS, "ground")
 """The keys of a cue, one of which it has."""
 
 WHERE = 'a file beside the scenario or "sample:walk"'
@@ -216,6 +218,9 @@ def _cues(fields: Fields, names: list[str], laid: list[str], duration: float) ->
         return layer_cues(fields, at, laid)
     if commands[0] == "ground":
         return [Cue(at, "ground", ground=_ground(fields))]
+    if commands[0] in GOAL_KINDS:
+        wanted = commands[0]
+        return [Cue(at, wanted, goal=goal_change(wanted, fields.table(wanted)))]
     kind = cast(Literal["start", "stop"], commands[0])
     action = fields.choice(kind, tuple(names))
     return [Cue(at, kind, action)]

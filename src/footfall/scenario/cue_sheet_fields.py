@@ -193,6 +193,21 @@ class Fields:
             )
         return float(numbers[0]), float(numbers[1])
 
+    def triple(self, key: str, *, most: float) -> tuple[float, float, float]:
+        """Return three numbers, each from -`most` to `most`.
+
+        Raises:
+            ScenarioError: If they are not, or missing.
+        """
+        value: Any = self._table.get(key)
+        numbers = cast(list[Any], value) if isinstance(value, list) else []
+        if len(numbers) != 3 or not all(_is_number(one) and abs(one) <= most for one in numbers):
+            found = "missing" if value is None else repr(cast(object, value))
+            raise ScenarioError(
+                f"{self.label(key)} is {found}; it must be three numbers from {-most:g} to {most:g}"
+            )
+        return float(numbers[0]), float(numbers[1]), float(numbers[2])
+
     def is_table(self, key: str) -> bool:
         """Whether a key has a table of its own."""
         return isinstance(self._table.get(key), dict)

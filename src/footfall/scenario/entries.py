@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from footfall.engine.layer import UPPER_BODY
+from footfall.scenario.goal_change import GoalChange, GoalKind
 from footfall.scenario.ground_change import GroundChange
 
 __all__ = ["ActionEntry", "Cue", "LayerEntry"]
@@ -100,11 +101,12 @@ class Cue:
     at: float
     """When [s]."""
 
-    kind: Literal["start", "stop", "priority", "ground", "speed", "turn", "layer"]
+    kind: Literal["start", "stop", "priority", "ground", "speed", "turn", "layer"] | GoalKind
     """What is commanded."""
 
     action: str = ""
-    """The name of the action or layer it is about; empty where it is about the ground."""
+    """The name of the action or layer it is about; empty where it is about the ground or a
+    goal."""
 
     priority: Priority | None = None
     """The new priority, where it is one."""
@@ -114,3 +116,6 @@ class Cue:
 
     ground: GroundChange = LEVEL
     """How the ground is to be, where it is about it."""
+
+    goal: GoalChange | None = None
+    """What hands, eyes or seat are to meet, where it is about them."""

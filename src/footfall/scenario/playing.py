@@ -106,6 +106,8 @@ class Play:
         if cue.kind == "stop":
             self.waiting.pop(cue.action, None)
             self.character.stop(cue.action)
+        elif cue.goal is not None:
+            cue.goal.give(self.character.goals)
         elif cue.kind == "ground":
             self.ground.ask(cue.ground, self.character.root)
         elif cue.kind == "speed":

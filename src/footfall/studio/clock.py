@@ -9,6 +9,7 @@ import numpy as np
 
 from footfall.adaptation import Plane
 from footfall.arrays import Positions, Rotations
+from footfall.errors import FootfallError
 from footfall.skeleton import find_anatomy
 from footfall.studio.crowd_stage import RATE
 from footfall.studio.editor import SupportEditor
@@ -139,7 +140,10 @@ class StudioClock:
         stage = session.stage
         assert stage.performer is not None
         for cue in due_cues(session.script, stage.performer.clock, stage.begun):
-            obey_cue(stage, cue)
+            try:
+                obey_cue(stage, cue)
+            except FootfallError as error:
+                session.notice(str(error))
 
     def _remember(self, *performers: Performer) -> None:
         self._before = {id(one): (one.positions.copy(), one.rotations.copy()) for one in performers}

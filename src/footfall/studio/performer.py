@@ -20,6 +20,7 @@ from footfall.errors import ArgumentError
 from footfall.geometry import rotate
 from footfall.motion import Clip, with_soles
 from footfall.scenario.cue_sheet import ActionEntry, Scenario
+from footfall.scenario.goal_change import GoalChange
 from footfall.scenario.motions import Motion
 from footfall.scenario.preparation import add_action, prepare_character
 from footfall.skeleton import Skeleton, find_anatomy, leg_length
@@ -169,6 +170,10 @@ class Performer:
     def steer(self, name: str, kind: Literal["speed", "turn"], value: float) -> None:
         """Ask a gait for another speed [m/s] or turn [rad/s]."""
         self._character.set_parameters(name, **{kind: value})
+
+    def meet(self, change: GoalChange) -> None:
+        """Set or drop a goal; errors as of `GoalChange.give`."""
+        change.give(self._character.goals)
 
     def is_active(self, name: str) -> bool:
         """Whether an action runs, fades or waits."""

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from footfall.errors import ScenarioError
 from footfall.scenario.cue_sheet import Cue, Scenario, load_scenario
+from footfall.scenario.goal_change import GOAL_KINDS
 from footfall.scenario.ground_change import GroundChange
 from footfall.scenario.motions import Motion, body_of, resolve_motion
 from footfall.studio.card import by_part
@@ -19,7 +20,7 @@ if TYPE_CHECKING:
 __all__ = ["due_cues", "frame_cues", "obey_cue", "open_scenario"]
 
 
-BEFORE_START = ("ground", "speed", "turn")
+BEFORE_START = ("ground", "speed", "turn", *GOAL_KINDS)
 """Cues that have an effect before anything was started."""
 
 
@@ -86,6 +87,9 @@ def obey_cue(stage: Stage, cue: Cue) -> None:
     """Give a cue to the stage."""
     if cue.kind == "ground":
         stage.ask(cue.ground)
+        return
+    if cue.goal is not None:
+        stage.meet(cue.goal)
         return
     card = stage.card(cue.action)
     if card is None:

@@ -7,6 +7,7 @@ from typing import Literal
 
 from footfall.motion import Clip
 from footfall.scenario.cue_sheet import ActionEntry, Cue, Scenario
+from footfall.scenario.goal_change import GoalChange
 from footfall.scenario.ground_change import GroundChange
 from footfall.scenario.motions import Motion
 from footfall.scenario.moving_ground import MovingGround
@@ -15,13 +16,14 @@ from footfall.studio.card import Card, by_part
 from footfall.studio.motion_list import LoadedMotion, MotionList
 from footfall.studio.performer import Performer
 from footfall.studio.stage_gaits import StageGaits
+from footfall.studio.stage_goals import StageGoals
 from footfall.studio.stage_ground import StageGround
 from footfall.studio.take import Take
 
 __all__ = ["Stage"]
 
 
-class Stage(StageGaits, StageGround):
+class Stage(StageGaits, StageGoals, StageGround):
     """One character that is steered by hand, over and over from the beginning of a take."""
 
     def __init__(self, motions: MotionList) -> None:
@@ -46,6 +48,7 @@ class Stage(StageGaits, StageGround):
         self.take = Take(replace(self._list.sheet(), actions=tuple(self._entries)))
         self.begun = False
         self._asked_gaits: dict[str, tuple[float, float]] = {}
+        self._asked_goals: list[GoalChange] = []
         self.performer: Performer | None = None
         self.ghost: Performer | None = None
         self.ground = MovingGround(0.0)
@@ -70,6 +73,7 @@ class Stage(StageGaits, StageGround):
         if self.asked != GroundChange():
             self.ground.ask(self.asked, self.pair()[0].root)
             self.take = self.take.with_cue(Cue(0.0, "ground", ground=self.asked))
+        self._tell_goals()
 
     def _prepare(self, leading: int) -> None:
         motions = tuple(self._motions)

@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 from footfall.scenario.cue_sheet import ActionEntry, Cue, Scenario
+from footfall.scenario.goal_fields import goal_table
 from footfall.scenario.ground_change import GroundChange
 
 __all__ = ["Take", "scenario_text"]
@@ -35,14 +36,16 @@ def scenario_text(scenario: Scenario) -> str:
         lines.append(f"planner = {_quoted(scenario.planner)}")
     if scenario.body is not None:
         lines.append(f"body = {_quoted(scenario.body)}")
-    used = {cue.action for cue in scenario.cues if cue.kind != "ground"}
+    used = {cue.action for cue in scenario.cues}
     for number, entry in enumerate(scenario.actions):
         # The first one is the body, and how it stands that does nothing.
         if entry.name in used or number == 0:
             lines += ["", "[[action]]", *_action_lines(entry)]
     for cue in scenario.cues:
         lines += ["", "[[cue]]", f"at = {cue.at!r}"]
-        if cue.kind == "ground":
+        if cue.goal is not None:
+            lines.append(f"{cue.kind} = {goal_table(cue.goal)}")
+        elif cue.kind == "ground":
             lines.append(f"ground = {_ground(cue.ground)}")
         elif cue.kind == "priority":
             assert cue.priority is not None
