@@ -9,7 +9,7 @@ with footprints off, a clip alone plays back as it was.
 
 from __future__ import annotations
 
-from footfall.arrays import Positions
+from footfall.arrays import Positions, SmallFloats
 from footfall.compilation import small_kernel
 from footfall.geometry import transforms
 
@@ -25,8 +25,8 @@ def mix_point(points: Positions, side: int, toe_share: float, axis: int) -> floa
 @small_kernel
 def foot_slide(
     step: tuple[float, float, float],
-    before: Positions,
-    after: Positions,
+    before: Positions | SmallFloats,
+    after: Positions | SmallFloats,
     side: int,
     point: int,
 ) -> tuple[float, float]:

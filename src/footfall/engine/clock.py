@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 
 from footfall.compilation import inlined_kernel, inner_kernel, small_kernel
-from footfall.engine.durations import rebuild_warps, update_weights
+from footfall.engine.durations import bend_warps, update_weights
 from footfall.engine.planning import replan
 from footfall.engine.priority_changes import advance_changes
 from footfall.engine.record import SEATS, Character
@@ -51,7 +51,7 @@ def pass_time(shelf: Shelf, me: Character, search: SearchMemories, rules: Rules,
         # Between commands weights and warps change only while something fades.
         moving = _weights_move(me)
         if moving:
-            rebuild_warps(shelf, me)
+            bend_warps(shelf, me)
         step = min(end, _next_deadline(me)) - me.clock
         slot_ends = False
         duration = me.slot_duration

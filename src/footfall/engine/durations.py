@@ -7,9 +7,9 @@ from typing import cast
 
 import numpy as np
 
-from footfall.compilation import inner_kernel
+from footfall.compilation import inner_kernel, small_kernel
 from footfall.engine.priority_changes import present_priorities
-from footfall.engine.record import SEATS, Character
+from footfall.engine.record import Character
 from footfall.engine.shelf import Shelf, phase_end, phase_start
 from footfall.engine.state import LEAVING, RUNNING
 from footfall.skeleton import BodyPart
@@ -25,7 +25,7 @@ from footfall.timing import (
     slot_duration,
 )
 
-__all__ = ["rebuild_warps", "set_target", "update_weights"]
+__all__ = ["bend_warps", "rebuild_warps", "set_target", "update_weights"]
 
 LEGS = int(BodyPart.LEGS)
 PARTS = len(BodyPart)
@@ -42,9 +42,9 @@ LAST_SLOT = 0.1
 @inner_kernel
 def update_weights(me: Character) -> None:
     """Work out every weight from priorities and levels (section 3, figure 2)."""
+    levels, taken = me.levels[: me.occupied], me.shares[: me.occupied]
     for group in range(2):
-        levels = me.levels
-        for seat in range(SEATS):
+        for seat in range(me.occupied):
             levels[seat] = 0.0
             progress = me.fade_progress[seat, group]
             if me.status[seat] == RUNNING:
@@ -55,14 +55,14 @@ def update_weights(me: Character) -> None:
                 levels[seat] *= level(me.presence[seat])
         if me.changing:
             for part in range(group, 1 if group == 0 else PARTS):
-                present_priorities(me, part, levels, me.shares)
+                present_priorities(me, part, levels, taken)
                 only = slice(part, part + 1)
-                normalize_weights(me.priorities[:, only], me.shares, me.weights[:, only])
+                normalize_weights(me.priorities[:, only], taken, me.weights[:, only])
         elif group == 0:
             normalize_weights(me.priorities[:, :1], levels, me.weights[:, :1])
         else:
             normalize_weights(me.priorities[:, 1:], levels, me.weights[:, 1:])
-    for seat in range(SEATS):
+    for seat in range(me.occupied):
         # What is to come, for the planner: a start is at its full weight soon, a stop has less.
         fading = me.status[seat] == LEAVING
         share = 1.0 - level(me.fade_progress[seat, 0]) if fading else 1.0
@@ -112,6 +112,12 @@ def _columns_of(me: Character, seat: int, column: int) -> int:
 
 @inner_kernel
 def rebuild_warps(shelf: Shelf, me: Character) -> None:
+    """Do what `bend_warps` does, for callers with no haste: as a function of its own."""
+    bend_warps(shelf, me)
+
+
+@small_kernel
+def bend_warps(shelf: Shelf, me: Character) -> None:
     """Set the slot's duration (eq. 6) and build every time warp anew from now (section 5.3)."""
     duration = _duration(shelf, me)
     me.slot_duration = duration
@@ -119,7 +125,7 @@ def rebuild_warps(shelf: Shelf, me: Character) -> None:
         return
     now = me.clock
     left = (1.0 - me.slot_progress) * duration
-    for seat in range(SEATS):
+    for seat in range(me.occupied):
         if not me.playing[seat] or me.muted[seat]:
             continue
         segment = me.segment[seat]
@@ -137,7 +143,7 @@ def rebuild_warps(shelf: Shelf, me: Character) -> None:
         segment[5] = end_slope(mean, ahead) if ahead > 0.0 else mean
 
 
-@inner_kernel
+@small_kernel
 def _duration(shelf: Shelf, me: Character) -> float:
     """Return how long this slot lasts at the present weights [s] (eq. 6).
 
@@ -148,7 +154,7 @@ def _duration(shelf: Shelf, me: Character) -> float:
     voters = 0
     anybody = False
     soonest, latest = 0.0, math.inf
-    for seat in range(SEATS):
+    for seat in range(me.occupied):
         if not me.playing[seat]:
             continue
         anybody = True

@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 
 from footfall.adaptation.surfaces import SLOPE, Ground, probe
-from footfall.arrays import Positions
+from footfall.arrays import SmallFloats
 from footfall.compilation import small_kernel
 from footfall.engine.feet import carries
 from footfall.engine.record import SEATS, Character
@@ -51,7 +51,7 @@ this from where the slope leads is behind an edge."""
 
 @small_kernel
 def foresee_landings(
-    shelf: Shelf, ground: Ground, rig: Rig, me: Character, points: Positions
+    shelf: Shelf, ground: Ground, rig: Rig, me: Character, points: SmallFloats
 ) -> None:
     """Find where and when each swinging foot comes down, if that is in the next slot.
 
@@ -88,7 +88,7 @@ def foresee_landings(
 
 
 @small_kernel
-def _foresee_points(shelf: Shelf, me: Character, one: Positions) -> None:
+def _foresee_points(shelf: Shelf, me: Character, one: SmallFloats) -> None:
     """Write heel and toe of both feet at the end of the slot, relative to the root now."""
     foreseen = me.foreseen_points
     foreseen[:] = 0.0

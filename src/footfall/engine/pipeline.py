@@ -36,8 +36,11 @@ LONGEST_STEP = 1.0 / 30.0
 """Longest time between two poses [s]; a longer advance is cut into equal steps."""
 
 
-OFTEN_USED = 3392
-"""Bytes of a record that every frame uses: the fields up to the synchronizer's window."""
+OFTEN_USED = 2624
+"""Bytes of a record that every frame uses: the fields up to `seat_points`."""
+
+A_SEAT = 48
+"""Bytes of `seat_points` that belong to one seat."""
 
 LEFT_OUT = -1.0
 """Stands for the time of a row that is left out."""
@@ -127,8 +130,9 @@ def advance_blocks(
             anybody = False
             for lane in range(min(LANES, characters.shape[0] - block * LANES)):
                 row = block * LANES + lane
-                fetch_ahead(characters, min(row + 1, characters.shape[0] - 1), OFTEN_USED)
                 me: Character = characters[row]
+                size = OFTEN_USED + A_SEAT * me.occupied
+                fetch_ahead(characters, min(row + 1, characters.shape[0] - 1), size)
                 time = _time_due(me, dt / steps)
                 work.aims[STEP, lane] = time
                 if time >= 0.0:

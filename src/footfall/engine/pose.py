@@ -8,7 +8,7 @@ from typing import cast
 import numpy as np
 
 from footfall.adaptation.footprints import ROLL_TIME, SPEED_TIME, approach, toe_lead
-from footfall.arrays import Positions
+from footfall.arrays import SmallFloats
 from footfall.blending.poses import Layers, blend_layers
 from footfall.blending.root import correct_displacement, foot_slide
 from footfall.compilation import small_kernel
@@ -72,7 +72,7 @@ def _add_layer(
 
 
 @small_kernel
-def _add_way(shelf: Shelf, me: Character, seat: int, points: Positions) -> None:
+def _add_way(shelf: Shelf, me: Character, seat: int, points: SmallFloats) -> None:
     """Add one motion's way, and how far its feet slide on it, to those of the others.
 
     The neutral motion has neither.

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from footfall.arrays import Weights
 from footfall.compilation import inner_kernel, small_kernel
-from footfall.engine.record import SEATS, Character
+from footfall.engine.record import Character
 from footfall.skeleton import BodyPart
 from footfall.timing import advance_progress, reverse_fade, smoothstep
 
@@ -84,10 +84,10 @@ def present_priorities(me: Character, part: int, levels: Weights, out: Weights) 
     Args:
         me: The character; its priorities are written.
         part: Which body part.
-        levels: Activation level of each seat, shape (seats,).
-        out: Written: the same on this part, shape (seats,).
+        levels: Activation level of each seat that is occupied, shape (occupied,).
+        out: Written: the same on this part, shape (occupied,).
     """
-    for seat in range(SEATS):
+    for seat in range(me.occupied):
         out[seat] = levels[seat]
         if me.priority_progress[seat, part] >= 1.0 or levels[seat] <= 0.0:
             continue
@@ -98,7 +98,7 @@ def present_priorities(me: Character, part: int, levels: Weights, out: Weights) 
             out[seat] *= share if before == 0.0 else 1.0 - share
             continue
         others = 0.0
-        for other in range(SEATS):
+        for other in range(me.occupied):
             if other != seat:
                 others += levels[other] * _between(me, other, part)
         others = max(others, LONE * max(before, asked))

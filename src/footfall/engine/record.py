@@ -4,7 +4,16 @@ from __future__ import annotations
 
 from typing import Annotated
 
-from footfall.arrays import Flags, Floats, Indices, Positions, Seconds, Supports, Weights
+from footfall.arrays import (
+    Flags,
+    Floats,
+    Indices,
+    Positions,
+    Seconds,
+    SmallFloats,
+    Supports,
+    Weights,
+)
 from footfall.engine.feet_record import Feet
 from footfall.engine.layer_record import LAYERS, LayerSeats, layer_seat_type
 from footfall.skeleton import BodyPart
@@ -120,10 +129,6 @@ class Character(Feet):
     posed_time: Annotated[Seconds, SEATS]
     """Clip time of the pose shown last, shape (seats,)."""
 
-    seat_points: Annotated[Positions, SEATS, 2, 2, 3]
-    """Heel and toe of each foot in the pose shown last, relative to the clip's root, in leg
-    lengths, shape (seats, 2, 2, 3)."""
-
     blended_points: Annotated[Positions, 2, 2, 3]
     """The same after blending, relative to the root [m], shape (2, 2, 3)."""
 
@@ -154,6 +159,10 @@ class Character(Feet):
     presence: Annotated[Floats, SEATS]
     """How much of its leg weight a muted action keeps, on its way to 0, and of another one on
     its way to 1, shape (seats,)."""
+
+    seat_points: Annotated[SmallFloats, SEATS, 2, 2, 3]
+    """Heel and toe of each foot in the pose shown last, relative to the clip's root, in leg
+    lengths, shape (seats, 2, 2, 3)."""
 
     playing: Annotated[Flags, SEATS]
     """The synchronizer's window, as `footfall.sync.Window`, whose arrays follow."""

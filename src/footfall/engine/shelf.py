@@ -138,7 +138,7 @@ def travel(roots: Floats, entry: Entry, before: float, after: float) -> tuple[fl
 
 
 @small_kernel
-def read_points(shelf: Shelf, frame: int, fraction: float, out: Positions) -> None:
+def read_points(shelf: Shelf, frame: int, fraction: float, out: SmallFloats) -> None:
     """Write heel and toe of each foot, relative to the root, in leg lengths, (2, 2, 3)."""
     keys = shelf.keys
     after = frame + 1 if fraction > 0.0 else frame

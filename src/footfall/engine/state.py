@@ -55,7 +55,7 @@ class Workspace(NamedTuple):
     kept: SmallFloats
     """Poses that are shown once more, shape (8, joints, 7)."""
 
-    points: Positions
+    points: SmallFloats
     """Heel and toe of each foot of one motion, in leg lengths, shape (2, 2, 3)."""
 
     layers: Layers
@@ -133,7 +133,7 @@ def new_workspace(joints: int) -> Workspace:
     return Workspace(
         new_search_memory(),
         np.zeros((LANES, joints, PLACEMENT), dtype=np.float32),
-        np.zeros((2, 2, 3)),
+        np.zeros((2, 2, 3), dtype=np.float32),
         Layers(
             np.zeros(layers, dtype=np.int64),
             np.zeros(layers, dtype=np.int64),

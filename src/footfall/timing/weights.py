@@ -33,15 +33,17 @@ def normalize_weights(priorities: Weights, levels: Weights, out: Weights) -> Non
     Args:
         priorities: Priority of each seat's action for each body part, >= 0, shape
             (seats, parts).
-        levels: Activation level of each seat, 0..1, shape (seats,); 0 for an empty seat.
+        levels: Activation level of each seat, 0..1, shape (seats,) or fewer: the seats after those
+            are empty, and have weight 0 as they are.
         out: The weights, shape (seats + 1, parts), summing to one over the rows; the last row
             is the neutral motion.
     """
-    seats = levels.shape[0]
+    seats, neutral = levels.shape[0], priorities.shape[0]
     for part in range(priorities.shape[1]):
-        if part > 0 and _alike(priorities, part):
-            for seat in range(seats + 1):
+        if part > 0 and _alike(priorities, levels, part):
+            for seat in range(seats):
                 out[seat, part] = out[seat, part - 1]
+            out[neutral, part] = out[neutral, part - 1]
             continue
         total = 0.0
         presence = 0.0
@@ -65,13 +67,13 @@ def normalize_weights(priorities: Weights, levels: Weights, out: Weights) -> Non
         for seat in range(seats):
             if bent_total > 0.0:
                 out[seat, part] = out[seat, part] / bent_total * presence
-        out[seats, part] = 1.0 - presence
+        out[neutral, part] = 1.0 - presence
 
 
 @small_kernel
-def _alike(priorities: Weights, part: int) -> bool:
+def _alike(priorities: Weights, levels: Weights, part: int) -> bool:
     """Return whether every action has the same priority on a body part as on the one before."""
-    for seat in range(priorities.shape[0]):
+    for seat in range(levels.shape[0]):
         if priorities[seat, part] != priorities[seat, part - 1]:
             return False
     return True
