@@ -126,7 +126,7 @@ class MotionLibrary(LibrarySources):
             SupportSequenceError: As of `add`.
         """
         self._check_new(name, fade_in, fade_out)
-        values = parse_priority(priority)
+        values, clips = parse_priority(priority), tuple(clips)
         if not clips:
             raise ArgumentError(f"{name!r} has no clip; a locomotion needs at least one")
         with self._unchanged_if_refused():
@@ -138,12 +138,10 @@ class MotionLibrary(LibrarySources):
         resting = np.einsum("c,cfp->fp", mix.shares, [p.resting_heights for _, p in packs])
         gait = tuple((clip, one[1]) for (clip, _), one in zip(packs, clips, strict=True))
         packed = packs[0][1]._replace(keys=mix.keys, roots=mix.roots, resting_heights=resting)
-        fades, first = (fade_in, fade_out), packs[0][0]
-        given = tuple(clips)
         self._additions.append(
             lambda other: other.add_locomotion(
                 name,
-                given,
+                clips,
                 speed=begin[0] * other.rig().leg_length / rig.leg_length,
                 turn=begin[1],
                 priority=priority,
@@ -151,6 +149,7 @@ class MotionLibrary(LibrarySources):
                 fade_out=fade_out,
             )
         )
+        fades, first = (fade_in, fade_out), packs[0][0]
         self._actions.append(
             Action(name, first, mix.supports, values, *fades, packed, gaits, begin, gait)
         )
