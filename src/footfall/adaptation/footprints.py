@@ -15,6 +15,7 @@ from footfall.compilation import small_kernel
 __all__ = [
     "GRIP_TIME",
     "LIFT_SPEED",
+    "RELEASE_SPEED",
     "ROLL_TIME",
     "SPEED_TIME",
     "approach",
@@ -46,6 +47,10 @@ RELEASE_SPEED = 14.0
 
 LIFT_SPEED = 30.0
 """Of the spring that raises a swinging foot over what lies ahead [1/s]."""
+
+HARDEST = 50.0
+"""The most by which a swinging foot is accelerated up or down [m/s²]: twice what a brisk walk does
+to it by itself."""
 
 SETTLE_SPEED = 25.0
 """Of the spring that brings a carrying foot to the height of the ground [1/s]."""
@@ -144,7 +149,11 @@ def release_foot(
         offset[axis], velocity[axis] = spring(
             offset[axis], velocity[axis], place, RELEASE_SPEED, dt
         )
-    offset[1], velocity[1] = spring(offset[1], velocity[1], goal[1], lift, dt)
+    before = offset[1], velocity[1]
+    offset[1], velocity[1] = spring(before[0], before[1], goal[1], lift, dt)
+    if abs(velocity[1] - before[1]) > HARDEST * dt:
+        velocity[1] = before[1] + math.copysign(HARDEST * dt, velocity[1] - before[1])
+        offset[1] = before[0] + 0.5 * (before[1] + velocity[1]) * dt
     if offset[1] < least:
         offset[1] = least
         velocity[1] = max(velocity[1], 0.0)

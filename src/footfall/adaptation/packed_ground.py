@@ -80,6 +80,7 @@ def _fields(part: Plane | Ramp | Stairs | Platform | HeightField) -> dict[str, f
     if isinstance(part, Platform):
         fields = {"x": x, "y": y, "z": z, "period": part.period, "turning": part.turning}
         fields |= dict(zip(("way_x", "way_y", "way_z"), part.way, strict=True))
+        fields |= dict(zip(("tilt_x", "tilt_z"), part.tilt, strict=True))
         return fields | {"half_x": 0.5 * part.size[0], "half_z": 0.5 * part.size[1]}
     length = part.length if isinstance(part, Ramp) else part.steps * part.tread + part.landing
     fields = {

@@ -21,6 +21,7 @@ __all__ = [
     "Surfaces",
     "carry",
     "frame_of",
+    "is_level",
     "probe",
     "surface_type",
 ]
@@ -60,6 +61,12 @@ class Surface:
 
     slope_z: float
     """Rise per meter along its own z."""
+
+    tilt_x: float
+    """By how much `slope_x` swings each way in its period; its points go up and down only."""
+
+    tilt_z: float
+    """Likewise `slope_z`."""
 
     rise: float
     """Of one step [m]."""
@@ -169,6 +176,13 @@ def frame_of(surface: Surface, time: float) -> tuple[float, float, float, float]
 
 
 @small_kernel
+def is_level(ground: Ground) -> bool:
+    """Return whether the ground is one level plane."""
+    one = ground.surfaces[0]
+    return ground.even and one.slope_x == 0.0 and one.slope_z == 0.0
+
+
+@small_kernel
 def probe(ground: Ground, x: float, z: float, time: float) -> Contact:
     """Return what lies under a place at a clock time; height 0 and level where nothing does."""
     if ground.even:
@@ -188,7 +202,7 @@ def _highest(ground: Ground, x: float, z: float, time: float) -> Contact:
         lx, lz = transforms.apply(0.0, 0.0, -heading, x - fx, z - fz)
         if abs(lx) > surface.half_x or abs(lz) > surface.half_z:
             continue
-        rise, slope_x, slope_z = _relief(ground, surface, lx, lz)
+        rise, slope_x, slope_z = _relief(ground, surface, lx, lz, time)
         height = fy + rise
         if best.surface < 0 or height > best.height:
             world_x, world_z = transforms.apply(0.0, 0.0, heading, slope_x, slope_z)
@@ -197,14 +211,20 @@ def _highest(ground: Ground, x: float, z: float, time: float) -> Contact:
 
 
 @inner_kernel
-def _relief(ground: Ground, surface: Surface, x: float, z: float) -> tuple[float, float, float]:
+def _relief(
+    ground: Ground, surface: Surface, x: float, z: float, time: float
+) -> tuple[float, float, float]:
     """Return how high a surface is over its frame, and its slopes, at a place in that frame."""
     if surface.kind == STAIRS:
         done = math.floor((z + surface.half_z) / surface.tread) + 1.0
         return surface.rise * min(max(done, 0.0), float(surface.steps)), 0.0, 0.0
     if surface.kind == FIELD:
         return _interpolated(ground.samples, surface, x, z)
-    return surface.slope_x * x + surface.slope_z * z, surface.slope_x, surface.slope_z
+    slope_x, slope_z = surface.slope_x, surface.slope_z
+    if surface.tilt_x != 0.0 or surface.tilt_z != 0.0:
+        share = math.sin(TURN * time / surface.period)
+        slope_x, slope_z = slope_x + share * surface.tilt_x, slope_z + share * surface.tilt_z
+    return slope_x * x + slope_z * z, slope_x, slope_z
 
 
 @inner_kernel
@@ -247,4 +267,8 @@ def carry(
     bx, by, bz, b_heading = frame_of(one, after)
     turn = b_heading - a_heading
     moved_x, moved_z = transforms.apply(bx, bz, turn, x - ax, z - az)
-    return moved_x - x, by - ay, moved_z - z, turn
+    rise = by - ay
+    if one.tilt_x != 0.0 or one.tilt_z != 0.0:
+        lx, lz = transforms.apply(0.0, 0.0, -a_heading, x - ax, z - az)
+        rise += _relief(ground, one, lx, lz, after)[0] - _relief(ground, one, lx, lz, before)[0]
+    return moved_x - x, rise, moved_z - z, turn

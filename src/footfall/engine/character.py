@@ -10,7 +10,7 @@ from footfall.adaptation import AnyGround
 from footfall.engine.answers import Impossible, Started, Waiting
 from footfall.engine.crowd import Crowd
 from footfall.engine.flight import Flight
-from footfall.engine.handed import Handed
+from footfall.engine.following import Following
 from footfall.engine.inspection import ActionState, action_states, present_schedule
 from footfall.engine.library import MotionLibrary
 from footfall.engine.refusals import Late
@@ -26,7 +26,7 @@ from footfall.sync.tables import Planner
 __all__ = ["Character"]
 
 
-class Character(Handed):
+class Character(Following):
     """A body that performs actions which start and stop at any moment."""
 
     def __init__(
@@ -236,7 +236,7 @@ class Character(Handed):
             ArgumentError: If `dt` is negative or not finite, or there is no action yet.
         """
         crowd = self.crowd
-        crowd.advance(dt)
+        self._go_on(dt)
         self._meet_goals(dt)
         me = crowd.characters[0]
         return Frame(

@@ -17,6 +17,7 @@ from footfall.engine.record import SEATS
 from footfall.engine.refusals import LATE, Late, check_patience, explain_wait
 from footfall.engine.rows import Rows, check_present
 from footfall.engine.shelf import Shelf
+from footfall.engine.state import Workspace
 from footfall.engine.workers import Workers
 from footfall.errors import ArgumentError
 from footfall.sync.refusal import Refusal
@@ -181,6 +182,11 @@ class Commanding:
     def search(self) -> SearchMemories:
         """Memory of the planner."""
         return self._workers.workspace.search
+
+    @property
+    def workspace(self) -> Workspace:
+        """Memory to work in, that of the thread that gives commands."""
+        return self._workers.workspace
 
     @property
     def rules(self) -> Rules:

@@ -11,6 +11,7 @@ from footfall.adaptation.pelvis import FALL_SPEED, RISE_SPEED, needed_drop
 from footfall.arrays import Positions, Rotations, SmallFloats
 from footfall.blending.root import mix_point
 from footfall.compilation import lean_kernel, small_kernel
+from footfall.engine.foot_turns import foot_rotation
 from footfall.engine.record import NO_REACHING, Character
 from footfall.engine.state import Workspace
 from footfall.geometry import quaternions, transforms
@@ -61,7 +62,7 @@ def aim_body(rig: Rig, me: Character, work: Workspace, lane: int) -> None:
 def _placed_ankle(
     rig: Rig, me: Character, blended: SmallFloats, side: int, ankle: tuple[float, float, float]
 ) -> tuple[float, float, float]:
-    """Tilt a foot about the middle of its sole as the ground is, and put it on its footprint.
+    """Turn and tilt a foot about the middle of its sole, and put it on its footprint.
 
     Returns:
         Where its ankle then is, relative to the root [m].
@@ -70,13 +71,13 @@ def _placed_ankle(
     offset = me.foot_offset[side]
     cosine, sine = me.facing[0], -me.facing[1]
     x, z = transforms.turn(cosine, sine, offset[0], offset[2])
-    if me.tilt[side, 0] == 0.0 and me.tilt[side, 1] == 0.0:
+    if me.tilt[side, 0] == 0.0 and me.tilt[side, 1] == 0.0 and not me.twisted:
         return ankle[0] + x, ankle[1] + offset[1], ankle[2] + z
     px = leg * mix_point(me.points, side, 0.5, 0)
     py = leg * mix_point(me.points, side, 0.5, 1)
     pz = leg * mix_point(me.points, side, 0.5, 2)
     slope_x, slope_z = transforms.turn(cosine, sine, me.tilt[side, 0], me.tilt[side, 1])
-    q = quaternions.between(0.0, 1.0, 0.0, -slope_x, 1.0, -slope_z)
+    q = foot_rotation(me, side, slope_x, slope_z)
     ax, ay, az = quaternions.rotate(
         q[0], q[1], q[2], q[3], ankle[0] - px, ankle[1] - py, ankle[2] - pz
     )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import numpy.typing as npt
@@ -9,6 +10,7 @@ import numpy.typing as npt
 from footfall.adaptation import AnyGround, Plane, pack_ground
 from footfall.adaptation.surfaces import Ground
 from footfall.engine.rows import Rows, check_present, place_characters
+from footfall.errors import ArgumentError
 
 __all__ = ["Standing"]
 
@@ -69,6 +71,37 @@ class Standing:
         """
         rows = check_present(rows, self._characters)
         place_characters(self._characters, rows, position, heading)
+
+    def place_of(self, row: int) -> tuple[float, float, float]:
+        """Return where a character is: x, z [m] and heading [rad], 0 facing +z.
+
+        Raises:
+            ArgumentError: If there is nobody in the row.
+        """
+        x, z, heading = self._characters["root"][check_present([row], self._characters)[0]].tolist()
+        return x, z, heading
+
+    def clock_of(self, row: int) -> float:
+        """Return the clock time of a character [s]; errors as of `place_of`."""
+        return float(self._characters["clock"][check_present([row], self._characters)[0]])
+
+    def steer(self, turning: float | None, rows: Rows = None) -> None:
+        """Let characters turn as fast as they are told to, whatever their motions do.
+
+        Planted feet stay as they are, and swinging ones get ahead of the body.
+
+        Args:
+            turning: To the left [rad/s]; None: as their motions turn.
+            rows: Which characters: row numbers, a mask, or None for all.
+
+        Raises:
+            ArgumentError: If a row does not exist, or the number is not finite.
+        """
+        chosen = check_present(rows, self._characters)
+        if turning is not None and not math.isfinite(turning):
+            raise ArgumentError(f"turning is {turning} rad/s; it must be finite")
+        self._characters["steered"][chosen] = turning is not None
+        self._characters["steer"][chosen] = turning or 0.0
 
 
 def _kinds(ground: Ground) -> list[int]:

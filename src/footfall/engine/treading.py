@@ -11,13 +11,14 @@ from footfall.adaptation.footprints import (
     release_foot,
     spring,
 )
-from footfall.adaptation.surfaces import Ground, carry, probe
+from footfall.adaptation.surfaces import Ground, carry, is_level, probe
 from footfall.blending.root import mix_point
 from footfall.compilation import small_kernel
-from footfall.engine.feet import carries, stand_level
+from footfall.engine.feet import carries
+from footfall.engine.foot_turns import turn_foot
 from footfall.engine.record import Character
+from footfall.engine.sole_points import move_points
 from footfall.engine.swinging import rise_below, swing_goal
-from footfall.geometry import quaternions, transforms
 from footfall.skeleton.rig import Rig
 
 __all__ = ["keep_footprints", "ride"]
@@ -69,8 +70,10 @@ def _raise_level(me: Character, rise: float) -> None:
 def keep_footprints(ground: Ground, rig: Rig, me: Character, dt: float) -> None:
     """Hold the carrying feet where they are, let go of the others (stage 7)."""
     for side in range(2):
-        slide_x, slide_z = _move_points(rig, me, side, dt)
         planted = carries(me.support, side)
+        if me.twisted:
+            turn_foot(me, side, planted, _grip(me, side), dt)
+        slide_x, slide_z = move_points(rig, me, side, dt)
         me.planted_time[side] = me.planted_time[side] + dt if planted else 0.0
         dx, dy, dz = _taken(ground, me, side, dt)
         _feel(ground, rig, me, side, planted, dt)
@@ -87,57 +90,24 @@ def keep_footprints(ground: Ground, rig: Rig, me: Character, dt: float) -> None:
             goal, speed = swing_goal(ground, me, side)
             release_foot(offset, velocity, goal, needed, speed, dt)
     _follow_ground(me, dt)
+    if me.placed and me.printed and not is_level(ground):
+        _put_down(ground, rig, me)
 
 
 @small_kernel
-def _move_points(rig: Rig, me: Character, side: int, dt: float) -> tuple[float, float]:
-    """Find heel and toe in the world; return how far that moved the carrying point [m]."""
-    share = me.toe_shares[side]
-    old_x = mix_point(me.world_points, side, share, 0)
-    old_z = mix_point(me.world_points, side, share, 2)
-    toe_x, toe_z = me.world_points[side, 1, 0], me.world_points[side, 1, 2]
-    _tilt_points(rig, me, side)
-    if dt > 0.0 and not me.placed:
-        me.toe_velocity[side, 0] = (me.world_points[side, 1, 0] - toe_x) / dt
-        me.toe_velocity[side, 1] = (me.world_points[side, 1, 2] - toe_z) / dt
-    return (
-        mix_point(me.world_points, side, share, 0) - old_x,
-        mix_point(me.world_points, side, share, 2) - old_z,
-    )
-
-
-@small_kernel
-def _tilt_points(rig: Rig, me: Character, side: int) -> None:
-    """Write heel and toe in the world, the sole tilted about its middle as the ground is."""
-    root, leg, points = me.root, rig.leg_length, me.points[side]
-    if me.foot_slope[side, 0] == 0.0 and me.foot_slope[side, 1] == 0.0:
-        stand_level(rig, me, side)
-        return
-    me.tilt[side, 0], me.tilt[side, 1] = me.foot_slope[side, 0], me.foot_slope[side, 1]
-    w, qx, qy, qz = quaternions.between(0.0, 1.0, 0.0, -me.tilt[side, 0], 1.0, -me.tilt[side, 1])
-    for point in range(2):
-        # Half of the sole, from its middle to this point.
-        other = points[1 - point]
-        x, z = transforms.apply(
-            0.0,
-            0.0,
-            root[2],
-            0.5 * leg * (points[point, 0] - other[0]),
-            0.5 * leg * (points[point, 2] - other[2]),
-        )
-        y = 0.5 * leg * (points[point, 1] - other[1])
-        mx, mz = transforms.apply(
-            root[0],
-            root[1],
-            root[2],
-            0.5 * leg * (points[point, 0] + other[0]),
-            0.5 * leg * (points[point, 2] + other[2]),
-        )
-        tx, ty, tz = quaternions.rotate(w, qx, qy, qz, x, y, z)
-        me.world_points[side, point, 0] = mx + tx
-        me.world_points[side, point, 1] = 0.5 * leg * (points[point, 1] + other[1]) + ty
-        me.world_points[side, point, 2] = mz + tz
-        me.tilt_rise[side, point] = ty - y
+def _put_down(ground: Ground, rig: Rig, me: Character) -> None:
+    """Put the feet of a character that was put somewhere on the ground there, tilted as it is."""
+    for side in range(2):
+        planted = carries(me.support, side)
+        move_points(rig, me, side, 0.0)
+        _feel(ground, rig, me, side, planted, 0.0)
+        move_points(rig, me, side, 0.0)
+    _follow_ground(me, 0.0)
+    for side in range(2):
+        height = _needed_height(rig, me, side)
+        if not carries(me.support, side):
+            height = max(height, me.ground_below[side] - me.level[0])
+        me.foot_offset[side, 1] = height
 
 
 @small_kernel
@@ -175,7 +145,7 @@ def _feel(ground: Ground, rig: Rig, me: Character, side: int, planted: bool, dt:
     share = 1.0
     if planted or me.placed:
         me.ground_below[side] = 0.5 * (me.foot_ground[side, 0] + me.foot_ground[side, 1])
-    else:
+    if not planted:
         low = rig.leg_length * min(me.heights[side, 0], me.heights[side, 1])
         share = min(max(1.0 - low / TILT_HEIGHT, 0.0), 1.0)
     goal_x, goal_z = share * slope_x, share * slope_z
