@@ -7,6 +7,7 @@ FootfallError
 ├── FileFormatError          a file that cannot be read; knows its path and line (also ValueError)
 ├── ScenarioError            a cue sheet that cannot be played (also ValueError)
 ├── ArgumentError            an argument out of its range (also ValueError)
+├── GroundError              a ground of a program's own that fails (also RuntimeError)
 ├── MissingExtraError        an optional library that is not installed (also ImportError)
 ├── MissingViewerError       a viewer, or what it needs, is not installed (also ImportError)
 └── UnknownNameError         a name that is not there; lists those that are (also LookupError)
@@ -24,6 +25,7 @@ __all__ = [
     "ClipError",
     "FileFormatError",
     "FootfallError",
+    "GroundError",
     "MissingExtraError",
     "MissingViewerError",
     "ScenarioError",
@@ -55,6 +57,10 @@ class ScenarioError(FootfallError, ValueError):
 
 class ArgumentError(FootfallError, ValueError):
     """An argument is out of its range."""
+
+
+class GroundError(FootfallError, RuntimeError):
+    """A ground of a program's own fails; the error that it raised is the cause."""
 
 
 class MissingViewerError(FootfallError, ImportError):

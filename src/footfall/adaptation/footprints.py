@@ -19,6 +19,7 @@ __all__ = [
     "ROLL_TIME",
     "SPEED_TIME",
     "approach",
+    "gentle_spring",
     "hold_foot",
     "release_foot",
     "settle",
@@ -48,9 +49,8 @@ RELEASE_SPEED = 14.0
 LIFT_SPEED = 30.0
 """Of the spring that raises a swinging foot over what lies ahead [1/s]."""
 
-HARDEST = 50.0
-"""The most by which a swinging foot is accelerated up or down [m/s²]: twice what a brisk walk does
-to it by itself."""
+HARDEST_LIFT, HARDEST_SINK = 66.0, 90.0
+"""The most by which a swinging foot is accelerated towards a place above or below it [m/s²]."""
 
 SETTLE_SPEED = 25.0
 """Of the spring that brings a carrying foot to the height of the ground [1/s]."""
@@ -102,6 +102,18 @@ def settle(
 
 
 @small_kernel
+def gentle_spring(
+    value: float, speed: float, goal: float, stiffness: float, hardest: float, dt: float
+) -> tuple[float, float]:
+    """Return what `spring` does, where the speed changes at most by `hardest` [1/s²]."""
+    new, new_speed = spring(value, speed, goal, stiffness, dt)
+    if abs(new_speed - speed) <= hardest * dt:
+        return new, new_speed
+    new_speed = speed + math.copysign(hardest * dt, new_speed - speed)
+    return value + 0.5 * (speed + new_speed) * dt, new_speed
+
+
+@small_kernel
 def hold_foot(
     offset: Positions,
     velocity: Positions,
@@ -149,11 +161,8 @@ def release_foot(
         offset[axis], velocity[axis] = spring(
             offset[axis], velocity[axis], place, RELEASE_SPEED, dt
         )
-    before = offset[1], velocity[1]
-    offset[1], velocity[1] = spring(before[0], before[1], goal[1], lift, dt)
-    if abs(velocity[1] - before[1]) > HARDEST * dt:
-        velocity[1] = before[1] + math.copysign(HARDEST * dt, velocity[1] - before[1])
-        offset[1] = before[0] + 0.5 * (before[1] + velocity[1]) * dt
+    hardest = HARDEST_LIFT if goal[1] > offset[1] else HARDEST_SINK
+    offset[1], velocity[1] = gentle_spring(offset[1], velocity[1], goal[1], lift, hardest, dt)
     if offset[1] < least:
         offset[1] = least
         velocity[1] = max(velocity[1], 0.0)

@@ -10,9 +10,10 @@ import math
 from dataclasses import dataclass
 
 from footfall.adaptation.height_field import HeightField, check_finite, check_positive
+from footfall.adaptation.own_ground import Ground
 from footfall.errors import ArgumentError
 
-__all__ = ["AnyGround", "Plane", "Platform", "Ramp", "Stairs", "Terrain"]
+__all__ = ["AnyGround", "BuiltGround", "Plane", "Platform", "Ramp", "Stairs", "Terrain"]
 
 STEEPEST = math.tan(math.radians(60.0))
 """Greatest rise per meter of a plane or a ramp."""
@@ -163,5 +164,8 @@ class Terrain:
             raise ArgumentError("a terrain without parts; give at least one surface")
 
 
-AnyGround = Plane | Ramp | Stairs | Platform | HeightField | Terrain
+BuiltGround = Plane | Ramp | Stairs | Platform | HeightField | Terrain
+"""The kinds that the kernels know."""
+
+AnyGround = BuiltGround | Ground
 """Everything a character can stand on."""

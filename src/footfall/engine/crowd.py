@@ -7,8 +7,8 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from footfall.adaptation import AnyGround, Plane
-from footfall.adaptation.surfaces import Ground
+from footfall.adaptation import AnyGround, BuiltGround, Plane
+from footfall.adaptation.surface_record import Ground
 from footfall.arrays import Positions, Rotations, SmallFloats, Supports
 from footfall.engine.flight import Flight, flight_of
 from footfall.engine.library import MotionLibrary
@@ -123,11 +123,22 @@ class Crowd(Standing, Reaching, Populating):
 
         Raises:
             ArgumentError: If `dt` is negative or not finite.
+            GroundError: If they stand on a program's own ground, and it fails; nothing has moved
+                then.
         """
         if not (0.0 <= dt < float("inf")):
             raise ArgumentError(f"dt is {dt} s; it must be finite and >= 0")
         self._refresh()
-        left = float(dt)
+        if isinstance(self._ground, BuiltGround):
+            self._pass(float(dt))
+            return
+        grounds = self._packed(self._ground, float(dt))
+        for ground in grounds:
+            self._packed_ground = ground
+            self._pass(dt / len(grounds))
+
+    def _pass(self, left: float) -> None:
+        """Let a time pass on the ground as it is packed."""
         while self._parameters.moving and left > FINEST:
             self._step(FINEST)
             left -= FINEST

@@ -16,8 +16,8 @@ that in the middle of the stance it points where the body does."""
 FARTHEST_AHEAD = 0.35
 """The most that it is turned ahead [rad]."""
 
-LEAST = 1e-4
-"""A turn below this is none [rad], [rad/s]."""
+LEAST = 1e-3
+"""A turn below this is none [rad]."""
 
 
 @small_kernel
@@ -57,7 +57,7 @@ def turn_foot(me: Character, side: int, planted: bool, grip: float, dt: float) -
     ahead = min(max(beyond / dt * LEAD_TIME, -FARTHEST_AHEAD), FARTHEST_AHEAD)
     turn[0], turn[1] = spring(turn[0], turn[1], ahead, RELEASE_SPEED, dt)
     other = me.foot_turn[1 - side]
-    still = abs(turn[0]) < LEAST and abs(turn[1]) < LEAST and abs(other[0]) < LEAST
+    still = abs(turn[0]) < LEAST and abs(other[0]) < LEAST
     if still and not me.steered:
         turn[0] = turn[1] = other[0] = other[1] = 0.0
         me.twisted = False

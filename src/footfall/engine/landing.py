@@ -9,7 +9,8 @@ from __future__ import annotations
 
 import math
 
-from footfall.adaptation.surfaces import SLOPE, Ground, carry, probe
+from footfall.adaptation.surface_record import SLOPE, Ground
+from footfall.adaptation.surfaces import carry, probe
 from footfall.arrays import Positions
 from footfall.compilation import small_kernel
 from footfall.engine.feet import carries
@@ -137,16 +138,20 @@ def _choose_place(ground: Ground, rig: Rig, me: Character, side: int) -> None:
     one = probe(ground, heel[0] + x, heel[1] + z, when).height - rise
     other = probe(ground, toe[0] + x, toe[1] + z, when).height - rise
     landing[2] = 0.5 * (one + other)
-    if x == 0.0 and z == 0.0 and _is_on_the_way(me, side, (toe[0], toe[1]), other):
+    leads = _is_on_the_way(me, side, 0, heel, one) and _is_on_the_way(me, side, 1, toe, other)
+    if x == 0.0 and z == 0.0 and leads:
         me.landing_time[side] = -1.0
 
 
 @small_kernel
-def _is_on_the_way(me: Character, side: int, toe: tuple[float, float], height: float) -> bool:
-    """Return whether the slope under a foot leads to where it lands: then nothing is in its way."""
-    place, offset, slope = me.world_points[side, 1], me.foot_offset[side], me.ground_slope[side]
-    rise = slope[0] * (toe[0] - place[0] - offset[0]) + slope[1] * (toe[1] - place[2] - offset[2])
-    return abs(me.foot_ground[side, 1] + rise - height) < DOWN
+def _is_on_the_way(
+    me: Character, side: int, point: int, lands: tuple[float, float], height: float
+) -> bool:
+    """Return whether the slope under heel or toe leads to where it lands: nothing is between."""
+    place, offset, slope = me.world_points[side, point], me.foot_offset[side], me.ground_slope[side]
+    x, z = lands[0] - place[0] - offset[0], lands[1] - place[2] - offset[2]
+    rise = slope[0] * x + slope[1] * z
+    return abs(me.foot_ground[side, point] + rise - height) < DOWN
 
 
 @small_kernel

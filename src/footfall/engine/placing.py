@@ -35,6 +35,10 @@ that changes [m], [m/s]; whether the legs reach at all; the ankles of the blende
 footprints move them, three numbers a foot [m]."""
 
 
+AGES = 10.0
+"""A time in which every spring comes to rest [s]."""
+
+
 @small_kernel
 def aim_body(rig: Rig, me: Character, work: Workspace, lane: int) -> None:
     """Say what one body has to reach: its feet on their footprints (stage 8)."""
@@ -44,6 +48,9 @@ def aim_body(rig: Rig, me: Character, work: Workspace, lane: int) -> None:
     aims[REACHES, lane] = 1.0 if me.synchronized and me.detail != NO_REACHING else 0.0
     if not me.synchronized:
         return
+    if me.placed:
+        # The pelvis of a body that was put somewhere is at once where its legs need it.
+        aims[STEP, lane] = AGES
     for side in range(2):
         ankle = (
             leg * me.effectors[1 + 3 * side],

@@ -73,6 +73,8 @@ class Populating(ABC):
             self._make_room(self.size + len(more))
             rows = np.concatenate([rows, more])
         born = np.repeat(self._newborn, count)
+        # It is as late for them as for those who are here: ground that moves is where it is.
+        born["clock"] = self._characters["clock"][self.present].max(initial=0.0)
         place_characters(born, np.arange(count), position, heading)
         self._characters[rows] = born
         return rows

@@ -2,15 +2,28 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 from typing import Any
 
+import numpy as np
 import numpy.typing as npt
 
-from footfall.adaptation import AnyGround, Plane, pack_ground
-from footfall.adaptation.surfaces import Ground
+from footfall.adaptation import (
+    AnyGround,
+    BuiltGround,
+    Plane,
+    check_ground,
+    pack_ground,
+    sample_ground,
+)
+from footfall.adaptation.surface_record import Ground as PackedGround
+from footfall.arrays import Indices
+from footfall.engine.library import MotionLibrary
+from footfall.engine.pipeline import LONGEST_STEP
 from footfall.engine.rows import Rows, check_present, place_characters
-from footfall.errors import ArgumentError
+from footfall.engine.state import EMPTY
+from footfall.errors import ArgumentError, GroundError
 
 __all__ = ["Standing"]
 
@@ -19,8 +32,9 @@ class Standing:
     """The part of a crowd that knows its ground and its places."""
 
     _characters: npt.NDArray[Any]
+    library: MotionLibrary
     _ground: AnyGround
-    _packed_ground: Ground = pack_ground(Plane())
+    _packed_ground: PackedGround = pack_ground(Plane())
 
     @property
     def ground(self) -> AnyGround:
@@ -37,14 +51,49 @@ class Standing:
         Args:
             ground: What they stand on from now on.
             rise: How far it takes those who stand on it with it [m].
+
+        Raises:
+            ArgumentError: If it is no ground.
+            GroundError: If it is a program's own, and fails; nothing is exchanged then.
         """
-        packed = pack_ground(ground)
+        packed = self._packed(ground, 0.0)[0]
         if _kinds(packed) != _kinds(self._packed_ground):
             # The surfaces that feet stood on are gone: they look for others.
             self._characters["surface"] = -1
         self._characters["level"][:, 0] += rise
         self._characters["ground_below"] += rise
         self._ground, self._packed_ground = ground, packed
+
+    def _packed(self, ground: AnyGround, dt: float) -> list[PackedGround]:
+        """Return a ground as the kernels take it, for each step of a time [s].
+
+        One of a program's own is asked for all steps before the first one is made, so that nothing
+        has moved if it fails.
+        """
+        if isinstance(ground, BuiltGround):
+            return [pack_ground(ground)]
+        check_ground(ground)
+        here = np.flatnonzero(self._characters["present"])
+        people = self._characters[here]
+        if not len(here):
+            return [pack_ground(Plane())]
+        clock, steps = float(people["clock"].max()), max(1, math.ceil(dt / LONGEST_STEP - 1e-9))
+        times: list[float] = (clock + dt * np.arange(steps + 1) / steps).tolist()
+        try:
+            return [
+                sample_ground(ground, people["root"][:, :2], span, dt)
+                for span in itertools.pairwise(times)
+            ]
+        except GroundError as error:
+            raise GroundError(f"{error} ({self._who(here)})") from error.__cause__
+
+    def _who(self, rows: Indices) -> str:
+        """Return who stands there and what they do, for a message."""
+        people = self._characters[rows]
+        running: list[int] = np.unique(people["action"][people["status"] != EMPTY]).tolist()
+        names = ", ".join(repr(self.library.actions[action].name) for action in running)
+        who = f"character {rows[0]}" if len(rows) == 1 else f"{len(rows)} characters"
+        return f"under {who}, {names or 'standing'}"
 
     def raise_ground(self, height: float) -> None:
         """Put level ground at another height [m]; who stands on level ground is carried along.
@@ -104,6 +153,6 @@ class Standing:
         self._characters["steer"][chosen] = turning or 0.0
 
 
-def _kinds(ground: Ground) -> list[int]:
+def _kinds(ground: PackedGround) -> list[int]:
     surfaces: Any = ground.surfaces
     return surfaces["kind"].tolist()

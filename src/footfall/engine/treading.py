@@ -7,11 +7,12 @@ import math
 from footfall.adaptation.footprints import (
     GRIP_TIME,
     approach,
+    gentle_spring,
     hold_foot,
     release_foot,
-    spring,
 )
-from footfall.adaptation.surfaces import Ground, carry, is_level, probe
+from footfall.adaptation.surface_record import Ground
+from footfall.adaptation.surfaces import carry, is_level, probe
 from footfall.blending.root import mix_point
 from footfall.compilation import small_kernel
 from footfall.engine.feet import carries
@@ -23,8 +24,11 @@ from footfall.skeleton.rig import Rig
 
 __all__ = ["keep_footprints", "ride"]
 
-LEVEL_SPEED = 10.0
+LEVEL_SPEED = 12.0
 """Of the spring with which the root follows the ground under its feet [1/s]."""
+
+LEVEL_HARDEST = 20.0
+"""The most by which it is accelerated so [m/s²]."""
 
 HIGHEST_OVER = 0.1
 """Most that it is over the lower of them, on level treads [m]."""
@@ -192,15 +196,20 @@ def _follow_ground(me: Character, dt: float) -> None:
     down, it sinks before the other one lands.
     """
     low, high = _ground_of(me, 0), _ground_of(me, 1)
+    lower = 0
     if low > high:
         low, high = high, low
+        lower = 1
     steepest = 0.0
     for side in range(2):
         slope = me.ground_slope[side]
         steepest = max(steepest, math.sqrt(slope[0] * slope[0] + slope[1] * slope[1]))
-    goal = low + min(0.5 * (high - low), HIGHEST_OVER + HIGHER_ON_SLOPES * steepest)
+    # A body goes down on the leg that stands, before the other one lands.
+    over = 0.0 if me.landing_time[lower] >= 0.0 else HIGHEST_OVER
+    goal = low + min(0.5 * (high - low), over + HIGHER_ON_SLOPES * steepest)
     if me.placed:
         me.level[0], me.level[1] = goal, 0.0
         return
-    level, me.level[1] = spring(me.level[0], me.level[1], goal, LEVEL_SPEED, dt)
+    level, speed = me.level[0], me.level[1]
+    level, me.level[1] = gentle_spring(level, speed, goal, LEVEL_SPEED, LEVEL_HARDEST, dt)
     _raise_level(me, level - me.level[0])

@@ -11,8 +11,8 @@ from footfall.figures.arrows import draw_arrow
 from footfall.figures.axes import Axes
 from footfall.figures.cast import Cast
 from footfall.figures.figure import LEFT, TOP, WIDTH, Figure, begin_sheet
+from footfall.figures.path_walk import ROLES, PathWalk, walk_and_turn
 from footfall.figures.silhouettes import Silhouettes
-from footfall.figures.turning_walk import ROLES, TurningWalk, walk_and_turn
 from footfall.figures.way import Way, apart
 from footfall.report import Track
 from footfall.view.foot_traces import shoe_outline
@@ -64,7 +64,7 @@ def linear_path_figure(cast: Cast) -> Figure:
     return Figure(15, "linear_path", title, CLAIM, facts, picture.to_svg())
 
 
-def _draw_from_above(picture: Picture, way: Way, walked: TurningWalk, middle: float) -> None:
+def _draw_from_above(picture: Picture, way: Way, walked: PathWalk, middle: float) -> None:
     """Draw the line, the prints of the feet, the way of the body and where it faces."""
 
     def at(points: Floats) -> list[tuple[float, float]]:
@@ -89,17 +89,11 @@ def _draw_from_above(picture: Picture, way: Way, walked: TurningWalk, middle: fl
         draw_arrow(picture, start, end, width=2.2)
 
 
-def _draw_shares(picture: Picture, way: Way, walked: TurningWalk, top: float) -> None:
+def _draw_shares(picture: Picture, way: Way, walked: PathWalk, top: float) -> None:
     """Draw the shares of the parts, one on the other, under where the body was."""
     recording = walked.recording
     names = list(recording.actions)
-    shares = np.stack(
-        [
-            recording.shares[:, names.index(role)]
-            + recording.shares[:, names.index(f"{role}, turning")]
-            for role in ROLES
-        ]
-    )
+    shares = np.stack([recording.shares[:, names.index(role)] for role in ROLES])
     along = np.maximum.accumulate(way.stage.along(walked.trace.positions[:, 0]))
     axes = Axes(
         way.x(float(along[0])),
