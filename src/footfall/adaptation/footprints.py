@@ -49,11 +49,14 @@ RELEASE_SPEED = 14.0
 LIFT_SPEED = 30.0
 """Of the spring that raises a swinging foot over what lies ahead [1/s]."""
 
-HARDEST_LIFT, HARDEST_SINK = 66.0, 90.0
+HARDEST_LIFT, HARDEST_SINK = 66.0, 80.0
 """The most by which a swinging foot is accelerated towards a place above or below it [m/s²]."""
 
-SETTLE_SPEED = 25.0
+SETTLE_SPEED = 50.0
 """Of the spring that brings a carrying foot to the height of the ground [1/s]."""
+
+HARDEST_SETTLE = 40.0
+"""The most by which that accelerates it [m/s²]."""
 
 
 @small_kernel
@@ -135,7 +138,9 @@ def hold_foot(
     for axis, moved in ((0, slide[0]), (2, slide[1])):
         offset[axis] -= grip * moved
         velocity[axis] = -grip * moved / dt if dt > 0.0 else 0.0
-    offset[1], velocity[1] = spring(offset[1], velocity[1], height, SETTLE_SPEED, dt)
+    offset[1], velocity[1] = gentle_spring(
+        offset[1], velocity[1], height, SETTLE_SPEED, HARDEST_SETTLE, dt
+    )
 
 
 @small_kernel

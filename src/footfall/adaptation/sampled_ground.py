@@ -62,8 +62,8 @@ def sample_ground(
             f"{long:.0f} m; it is asked within 200 × 200 m at most"
         )
     columns, rows = counts.tolist()
-    across, along = np.meshgrid(np.arange(columns), np.arange(rows))
-    grid: Floats = low + SPACING * np.stack([across, along], axis=-1).reshape(-1, 2)
+    along, across = np.indices((rows, columns)).reshape(2, -1)
+    grid: Floats = low + SPACING * np.column_stack([across, along])
     near = _near(grid, own, reach)
     heights = np.zeros(len(grid))
     heights[near] = heights_of_own(ground, grid[near], now)

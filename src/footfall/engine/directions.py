@@ -141,6 +141,6 @@ def _check_apart(found: list[tuple[float, str]]) -> None:
     for (yaw, name), (other_yaw, other) in zip(found, found[1:] + found[:1], strict=True):
         if name != other and abs(wrapped(other_yaw - yaw)) < ALIKE:
             raise ArgumentError(
-                f"{name!r} and {other!r} go the same way, {math.degrees(yaw):.0f}° to the left; "
+                f"{name!r} and {other!r} go the same way, {round(math.degrees(yaw))}° to the left; "
                 "name one of them"
             )

@@ -26,7 +26,7 @@ from footfall.skeleton.octet_poses import (
 )
 from footfall.skeleton.rig import Rig
 
-__all__ = ["STEP", "aim_body", "place_bodies", "world_poses_of"]
+__all__ = ["STEP", "aim_body", "place_bodies", "reach_footprints", "world_poses_of"]
 
 STEP, HEIGHT, DROP, DROP_SPEED, REACHES, ANKLE, OFFSET = 0, 1, 2, 3, 4, 5, 11
 """Rows of `Workspace.aims`: the time step [s], less than 0 for a row that is left out; the pelvis'
@@ -139,6 +139,12 @@ def _place_all(rig: Rig, work: Workspace, poses: SmallFloats, block: int) -> Non
     for row in range(0, stride - LANES, LANES):
         transpose(work.blended, row, stride, work.local, row * LANES)
     place_chains(rig, work.local, load(work.aims, HEIGHT * LANES), poses, block)
+    reach_footprints(rig, work, poses, block)
+
+
+@small_kernel
+def reach_footprints(rig: Rig, work: Workspace, poses: SmallFloats, block: int) -> None:
+    """Lower eight pelvises as far as their legs need, and let the legs reach their footprints."""
     reaches = load(work.aims, REACHES * LANES) > 0.5
     drop = _lower_pelvis(rig, work.aims, poses, block, reaches)
     lower_bodies(poses, block, drop)

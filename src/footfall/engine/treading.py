@@ -36,10 +36,13 @@ HIGHEST_OVER = 0.1
 HIGHER_ON_SLOPES = 0.2
 """How much more that is for each meter that the ground rises per meter [m]."""
 
+FASTEST_SWELL = 2.0
+"""Ground that rises or sinks faster than this has been exchanged for another [m/s]."""
+
 TILT_TIME = 0.04
 """Time constant with which a sole takes the slope of the ground [s]."""
 
-TILT_HEIGHT = 0.08
+TILT_HEIGHT = 0.25
 """Height over the ground from which a swinging foot is not tilted [m]."""
 
 
@@ -59,7 +62,14 @@ def ride(ground: Ground, me: Character, dt: float) -> None:
         me.root[0] += x / feet
         me.root[1] += z / feet
         me.root[2] += turn / feet
-        _raise_level(me, y / feet)
+        rise = y / feet
+        me.level[0] += rise
+        for side in range(2):
+            if carries(me.support, side):
+                me.foot_offset[side, 1] -= rise
+            else:
+                # A swinging foot goes along, as if the ground under it rose as much.
+                me.ground_below[side] += rise
 
 
 @small_kernel
@@ -80,13 +90,14 @@ def keep_footprints(ground: Ground, rig: Rig, me: Character, dt: float) -> None:
         slide_x, slide_z = move_points(rig, me, side, dt)
         me.planted_time[side] = me.planted_time[side] + dt if planted else 0.0
         dx, dy, dz = _taken(ground, me, side, dt)
+        below = me.foot_ground[side, me.on_toes[side]]
         _feel(ground, rig, me, side, planted, dt)
         if not me.printed or me.placed:
             continue
         offset, velocity = me.foot_offset[side], me.foot_velocity[side]
         needed = _needed_height(rig, me, side)
         if planted:
-            offset[1] += dy
+            offset[1] += dy + _swelled(ground, me, side, below + dy, dt)
             slide = (slide_x - dx, slide_z - dz)
             hold_foot(offset, velocity, slide, needed, _grip(me, side), dt)
         else:
@@ -127,6 +138,23 @@ def _taken(ground: Ground, me: Character, side: int, dt: float) -> tuple[float, 
     me.carried[side, 1] += dy
     me.carried[side, 2] += dz
     return dx, dy, dz
+
+
+@small_kernel
+def _swelled(ground: Ground, me: Character, side: int, below: float, dt: float) -> float:
+    """Return how far ground whose heights change has risen under a foot that carries [m].
+
+    Args:
+        ground: The ground as it is now.
+        me: The character.
+        side: Which foot.
+        below: How high the ground under the point that carries would be, had it not changed [m].
+        dt: Time step [s].
+    """
+    if ground.even or me.planted_time[side] <= dt:
+        return 0.0
+    rise = me.foot_ground[side, me.on_toes[side]] - below
+    return rise if abs(rise) <= FASTEST_SWELL * dt else 0.0
 
 
 @small_kernel
