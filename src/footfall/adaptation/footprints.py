@@ -55,7 +55,7 @@ HARDEST_LIFT, HARDEST_SINK = 66.0, 80.0
 SETTLE_SPEED = 50.0
 """Of the spring that brings a carrying foot to the height of the ground [1/s]."""
 
-HARDEST_SETTLE = 40.0
+HARDEST_SETTLE = 60.0
 """The most by which that accelerates it [m/s²]."""
 
 
