@@ -26,6 +26,7 @@ def test_a_stranger_can_catch_every_error_by_the_builtin_in_the_drawn_tree(
         "ValueError": ValueError,
         "LookupError": LookupError,
         "ImportError": ImportError,
+        "RuntimeError": RuntimeError,
     }[drawn[1]]
     assert issubclass(error, builtin)
 

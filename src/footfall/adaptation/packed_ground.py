@@ -91,12 +91,9 @@ def _fields(part: Plane | Ramp | Stairs | Platform | HeightField) -> dict[str, f
             "count_z": rows,
             "spacing": part.spacing,
         }
-    x, y, z = part.place
     if isinstance(part, Platform):
-        fields = {"x": x, "y": y, "z": z, "period": part.period, "turning": part.turning}
-        fields |= dict(zip(("way_x", "way_y", "way_z"), part.way, strict=True))
-        fields |= dict(zip(("tilt_x", "tilt_z"), part.tilt, strict=True))
-        return fields | {"half_x": 0.5 * part.size[0], "half_z": 0.5 * part.size[1]}
+        return _platform_fields(part)
+    x, y, z = part.place
     length = part.length if isinstance(part, Ramp) else part.steps * part.tread + part.landing
     fields = {
         "x": x + 0.5 * length * math.sin(part.heading),
@@ -114,3 +111,12 @@ def _fields(part: Plane | Ramp | Stairs | Platform | HeightField) -> dict[str, f
         "tread": part.tread,
         "steps": part.steps,
     }
+
+
+def _platform_fields(part: Platform) -> dict[str, float]:
+    """Return the same of a platform."""
+    fields = {"period": part.period, "turning": part.turning}
+    fields |= dict(zip(("x", "y", "z"), part.place, strict=True))
+    fields |= dict(zip(("way_x", "way_y", "way_z"), part.way, strict=True))
+    fields |= dict(zip(("tilt_x", "tilt_z"), part.tilt, strict=True))
+    return fields | {"half_x": 0.5 * part.size[0], "half_z": 0.5 * part.size[1]}

@@ -12,8 +12,7 @@ from footfall.arrays import Floats, Weights
 from footfall.engine.crowd import Crowd
 from footfall.engine.directions import Directions
 from footfall.engine.foreseeing import stopping_place
-from footfall.engine.priorities import PART_NAMES
-from footfall.engine.state import EMPTY, RUNNING, WAITING
+from footfall.engine.mixed_actions import MixedActions
 from footfall.errors import ArgumentError
 from footfall.geometry.ground_path import GroundPath, wrapped
 
@@ -49,12 +48,6 @@ LEARNING = 0.5
 WIDEST = 0.6
 """The most that it heads back to the path [rad]."""
 
-STARTS, ENDS = 0.05, 0.02
-"""Share from which an action is started, and below which it is stopped."""
-
-FINE = 0.005
-"""By how much a share has to differ to be set anew."""
-
 BACKWARD, FORWARD = 0.3, 1.0
 """How far along the path from where it was it is looked for [m]."""
 
@@ -66,9 +59,6 @@ ASKED_EVERY = 0.1
 
 NEAR_ENOUGH = 0.1
 """How far before the end it may come to rest [m], for the next moment leads beyond it."""
-
-SINGLE_PARTS = {name: parts for name, parts in PART_NAMES.items() if len(parts) == 1}
-"""The body parts, each by its name."""
 
 
 class PathFollower:
@@ -110,7 +100,7 @@ class PathFollower:
         x, z, _ = crowd.place_of(row)
         self._distance, self._away = self.path.nearest(x, z, 0.0, self.path.length)
         self._speed = self._turn = self._off = self._bias = self._asked = 0.0
-        self._shares: Weights = np.full(len(self._directions.actions), -1.0)
+        self._mixed = MixedActions(crowd, row, self._directions.actions.tolist())
         self._stopping = self._done = False
 
     @property
@@ -131,8 +121,7 @@ class PathFollower:
     def stop(self) -> None:
         """Let the character leave the path where it is, and come to rest."""
         self._stopping = True
-        for action in self._directions.actions.tolist():
-            self._crowd.stop(action, [self._row])
+        self._mixed.stop()
 
     def steer(self, dt: float) -> None:
         """Mix and turn the character for the next step [s]."""
@@ -152,7 +141,7 @@ class PathFollower:
             self._come_to_rest(dt)
             return
         back = self._way_back(dt)
-        self._set_shares(self._mix(heading - back), QUICKEST * dt)
+        self._mixed.weigh(self._mix(heading - back), QUICKEST * dt)
         ahead = min(self._distance + self._speed * TURN_TIME, self.path.length)
         self._turn_towards(self._asked_heading(ahead) + back - heading, dt)
 
@@ -196,41 +185,6 @@ class PathFollower:
         self._turn += min(max(wanted - self._turn, -most), most)
         self._crowd.steer(self._turn, [self._row])
 
-    def _set_shares(self, shares: Weights, most: float) -> None:
-        """Start, stop and weigh the actions, a share changing at most by so much."""
-        crowd, rows, status = self._crowd, [self._row], self._status()
-        actions: list[int] = self._directions.actions.tolist()
-        runs = any(
-            share >= ENDS and status.get(action) == RUNNING
-            for action, share in zip(actions, shares.tolist(), strict=True)
-        )
-        for place, action in enumerate(actions):
-            share, there = float(shares[place]), status.get(action) in (WAITING, RUNNING)
-            if share < ENDS:
-                # Nothing is stopped before what comes instead is there.
-                if runs and there:
-                    crowd.stop(action, rows)
-                continue
-            if not there and share >= STARTS:
-                crowd.start(action, rows)
-                self._shares[place], there = -1.0, True
-            known = float(self._shares[place])
-            share = share if known < 0.0 else min(max(share, known - most), known + most)
-            if there and abs(share - known) > FINE:
-                crowd.set_priority(action, self._priority(action, share), rows, fade=0.0)
-                self._shares[place] = share
-
-    def _priority(self, action: int, share: float) -> dict[str, float]:
-        """Return the priorities of an action, by body part, that has a share of the way."""
-        own = self._crowd.library.actions[action].priority
-        return {name: share * float(own[parts[0]]) for name, parts in SINGLE_PARTS.items()}
-
-    def _status(self) -> dict[int, int]:
-        """Return what every action does that has a seat."""
-        me = self._crowd.characters[self._row]
-        pairs = zip(me["action"].tolist(), me["status"].tolist(), strict=True)
-        return {action: status for action, status in pairs if status != EMPTY}
-
     def _is_near_the_end(self) -> bool:
         """Return whether a stop now leads as near to the end as it will."""
         left = self.path.length - self._distance
@@ -244,8 +198,7 @@ class PathFollower:
     def _come_to_rest(self, dt: float) -> None:
         """Let the turn end; be done where nothing plays any more."""
         self._turn_towards(0.0, dt)
-        status = self._status()
-        if not any(action in status for action in self._directions.actions.tolist()):
+        if not self._mixed.present:
             self._crowd.steer(None, [self._row])
             self._done = True
 
