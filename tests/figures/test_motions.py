@@ -41,7 +41,8 @@ def test_figure_14_shows_the_sequence_and_that_a_hop_alone_finds_no_room() -> No
 def test_figure_15_keeps_to_the_line_while_the_body_turns_round() -> None:
     walked = walk_and_turn(cast())
     assert np.ptp(walked.headings) > math.radians(170.0)
-    assert np.abs(walked.roots[:, 0]).max() < 0.12
+    assert np.percentile(np.abs(walked.away), 95) < 0.12
+    assert np.abs(walked.away).max() < 0.2
     assert np.ptp(walked.roots[:, 1]) > 5.0
     slip = walked.report.slip.overall
     assert slip.p95 is not None
@@ -52,7 +53,8 @@ def test_figure_15_keeps_to_the_line_while_the_body_turns_round() -> None:
 
 def test_figure_15_goes_round_a_curve_facing_one_way() -> None:
     walked = follow_curve(cast())
-    assert np.abs(walked.away).max() < 0.2
+    assert np.percentile(np.abs(walked.away), 95) < 0.12
+    assert np.abs(walked.away).max() < 0.3
     assert np.abs(np.degrees(walked.headings)).max() < 15.0
     slip = walked.report.slip.overall
     assert slip.p95 is not None

@@ -37,7 +37,7 @@ def linear_path_figure(cast: Cast) -> Figure:
     title = "On a linear path, whatever the body faces"
     note = (
         "The character turns round while walk, side step and back walk are mixed so that it "
-        "keeps to the line; from the side, from above, and the shares. Below: round a circle"
+        "keeps to the line; from the side and from above, the shares; below, round a circle"
     )
     way = Way.of([walked.trace], tallest=290.0)
     base = TOP + way.height + 14.0
@@ -51,18 +51,20 @@ def linear_path_figure(cast: Cast) -> Figure:
     _draw_from_above(picture, way, walked, above)
     _draw_shares(picture, way, walked, above + 112.0)
     _draw_curve(picture, curved, above + 234.0)
-    away = np.abs(walked.roots[:, 0])
+    away, away_round = (
+        100.0 * float(np.percentile(np.abs(one.away), 95)) for one in (walked, curved)
+    )
     turn = math.degrees(float(np.ptp(walked.headings)))
     slip = walked.report.slip.overall
     turned = math.degrees(float(np.abs(curved.headings).max()))
     facts = (
         f"The body turns by {turn:.0f}° over {float(np.ptp(walked.roots[:, 1])):.1f} m; "
-        f"its root leaves the line by at most {100.0 * float(away.max()):.1f} cm.",
+        f"for 95 % of the time its root is within {away:.1f} cm of the line.",
         f"Planted feet slip {slip.median or 0.0:.1f} mm in the median, "
         f"95 % of them at most {slip.p95 or 0.0:.1f} mm.",
-        f"Round most of a circle, facing one way within {turned:.0f}°, it leaves the path by at "
-        f"most {100.0 * float(np.abs(curved.away).max()):.1f} cm; feet slip at most "
-        f"{curved.report.slip.overall.p95 or 0.0:.1f} mm (95 %).",
+        f"Round most of a circle, facing one way within {turned:.0f}°, it is within "
+        f"{away_round:.1f} cm of the path, and 95 % of the feet slip at most "
+        f"{curved.report.slip.overall.p95 or 0.0:.1f} mm.",
     )
     return Figure(15, "linear_path", title, CLAIM, facts, picture.to_svg())
 
