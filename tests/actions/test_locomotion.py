@@ -8,6 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from footfall.actions import GaitCycle, Locomotion
+from footfall.actions.cycle_poses import root_way, root_ways, turned_steps
 from footfall.engine.packing import pack_clip
 from footfall.errors import ArgumentError
 from footfall.samples import sample, sample_skeleton
@@ -96,6 +97,57 @@ def test_the_feet_of_a_mix_stand_where_they_stand() -> None:
             middle = longest[len(longest) // 4 : -max(len(longest) // 4, 1)]
             # The ankle itself rolls over the foot by some centimeters.
             assert np.ptp(ankle[middle], axis=0).max() * RIG.leg_length < 0.08
+
+
+CURVES = ("walk", "walk-fast", "run", "walk-left", "walk-right", "run-left", "run-right")
+TURNING = Locomotion([cycle(name) for name in CURVES], RIG.leg_sides, RIG.leg_length)
+
+
+def turn_of(roots: np.ndarray, supports: SupportSequence) -> float:
+    return float(roots[-1, 2]) / supports.duration
+
+
+@pytest.mark.parametrize("speed", np.linspace(1.29, 3.22, 8))
+def test_a_mix_turns_as_asked_wherever_the_clips_reach(speed: float) -> None:
+    for turn in np.linspace(-0.64, 0.64, 9):
+        mix = TURNING.mix(speed, float(turn))
+        assert turn_of(mix.roots, mix.supports) == pytest.approx(turn, abs=0.003)
+        forward = float(root_ways(mix.roots)[:, 1].sum()) * RIG.leg_length
+        assert forward / mix.supports.duration == pytest.approx(speed, abs=1e-6)
+
+
+def test_shares_never_leap_and_far_clips_have_none() -> None:
+    turns = np.linspace(-0.65, 0.65, 400)
+    shares = np.array([TURNING.shares(2.4, float(turn)) for turn in turns])
+    assert np.abs(np.diff(shares, axis=0)).max() < 0.02
+    left, right = CURVES.index("walk-left"), CURVES.index("walk-right")
+    assert (shares[turns > 0.4, right] == 0.0).all()
+    assert (shares[turns < -0.4, left] == 0.0).all()
+    np.testing.assert_allclose(shares[:, left], shares[::-1, right], atol=2e-3)
+
+
+def test_beyond_the_clips_the_nearest_they_can_do_is_done() -> None:
+    # Nothing turns as slowly as the slow walk goes: the box of speeds and turns has empty corners.
+    names = ("walk-slow", "walk", "walk-left")
+    gaits = Locomotion([cycle(name) for name in names], RIG.leg_sides, RIG.leg_length)
+    mix = gaits.mix(0.75, 0.6)
+    assert np.isfinite(mix.roots).all()
+    assert mix.shares[1] == 0.0
+    assert 0.2 < turn_of(mix.roots, mix.supports) < 0.6
+
+
+def test_the_foot_that_carries_stays_where_a_turn_is_made_up_for() -> None:
+    steps, pivots = (
+        np.array([[0.0, 0.02, 0.0]] * 4),
+        np.array([[0.1, 0.3 - 0.02 * i] for i in range(4)]),
+    )
+    roots = root_way(turned_steps(steps, pivots, 0.2))
+    assert roots[-1, 2] == pytest.approx(0.2)
+    cosine, sine = np.cos(roots[:4, 2]), np.sin(roots[:4, 2])
+    x = roots[:4, 0] + cosine * pivots[:, 0] + sine * pivots[:, 1]
+    z = roots[:4, 1] + cosine * pivots[:, 1] - sine * pivots[:, 0]
+    assert np.ptp(x) < 1e-12
+    assert np.ptp(z) < 1e-12
 
 
 def test_turns_are_mixed_like_speeds() -> None:

@@ -146,6 +146,7 @@ def pass_time(hero: ff.Character, dt: float) -> None:
             if abs(t1 - float(me["clock"])) < CLOSE and entered and rest and not over:
                 # The slot has ended as it was to end, and the next one goes on from there; a clip
                 # that is over stays on its last frame.
+                # The clock is then up to a nanosecond later, in which a speed changes by as much.
                 assert (clip_time, rate) == pytest.approx((h1, v1), abs=1e-7)
         dt -= step
 

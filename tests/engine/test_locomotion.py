@@ -87,6 +87,30 @@ def test_its_speed_follows_what_is_asked_at_a_fixed_pace_however_time_is_cut() -
     assert places[0] == pytest.approx(places[1], abs=5e-3)
 
 
+@pytest.mark.parametrize(("speed", "turn"), [(1.6, 0.3), (2.2, 0.4), (2.6, -0.5), (3.0, 0.6)])
+def test_it_turns_as_asked_between_the_clips_and_its_feet_hold(speed: float, turn: float) -> None:
+    names = ("walk", "walk-fast", "run", "walk-left", "walk-right", "run-left", "run-right")
+    clips = [ff.sample(name) for name in names]
+    hero = ff.Character(clips[0][0].skeleton)
+    hero.add_locomotion("go", clips, speed=speed, turn=turn)
+    recording, _ = play(hero, {}, 180)
+    begun = hero.root[2]
+    seconds = 1.5
+    way = 0.0
+    for _ in range(round(seconds * FPS)):
+        before = hero.root
+        hero.advance(1 / FPS)
+        way += float(np.hypot(hero.root[0] - before[0], hero.root[1] - before[1]))
+    # A stride does not turn evenly, and is no whole part of the time.
+    assert (hero.root[2] - begun) / seconds == pytest.approx(turn, rel=0.06)
+    assert way / seconds == pytest.approx(speed, rel=0.03)
+    motion = recording.world_positions, recording.world_rotations
+    trace = Trace(*motion, find_anatomy(recording.skeleton), FPS, recording.supports)
+    slip = measure(trace).slip.overall.p95
+    assert slip is not None
+    assert slip < 1.5
+
+
 def test_where_nobody_goes_the_speed_is_there_at_once() -> None:
     hero = goer()
     hero.set_parameters("go", speed=3.0)

@@ -74,7 +74,9 @@ BAD = {
     "fps = 0\n": "fps is 0; it must be a number, above 0 and at most 1000",
     "fps = inf\n": "fps is inf; it must be a number, above 0 and at most 1000",
     "duration = true\n": "duration is True; it must be a number, above 0 and at most 3600",
-    "colour = 1\n": "no key named 'colour'; there are: fps, duration, body, planner, action, cue",
+    "colour = 1\n": (
+        "no key named 'colour'; there are: fps, duration, body, planner, action, layer, cue"
+    ),
     'planner = "best"\n': "planner is 'best'; there are: footfall, paper",
     'body = ""\n': "body is ''; it must be a text, not empty",
 }
@@ -145,11 +147,12 @@ BAD_CUES = {
     ),
     "[[cue]]\nat = 1\nturn = { run = 1 }\n": "cue[0].turn names 'run'; there are: walk",
     "[[cue]]\nat = 1\n": (
-        "cue[0] has no command; it must have one of start, stop, priority, speed, turn and ground"
+        "cue[0] has no command; it must have one of start, stop, "
+        "priority, speed, turn, layer and ground"
     ),
     "[[cue]]\nat = 1\nstart = 'walk'\nstop = 'walk'\n": (
         "cue[0] has start and stop; it must have one of start, stop, "
-        "priority, speed, turn and ground"
+        "priority, speed, turn, layer and ground"
     ),
 }
 

@@ -129,3 +129,13 @@ def test_what_cannot_be_opened_is_refused_and_changes_nothing(tmp_path: Path) ->
     assert "action 'faster'" in heard.notices()[0][1]
     assert [card.name for card in session.stage.cards] == ["walk"]
     assert session.script == []
+
+
+def test_a_scenario_with_layers_is_refused_in_words(tmp_path: Path) -> None:
+    layer = '[[layer]]\nname = "blow"\nmotion = "sample:punch"\n'
+    (tmp_path / "a.toml").write_text(SHEET + layer, encoding="utf-8")
+    with pytest.raises(ScenarioError) as caught:
+        open_scenario(session_of(tmp_path)[0], "a.toml")
+    assert str(caught.value).endswith(
+        "a.toml: has the layer 'blow'; the studio lays none, footfall blend does"
+    )

@@ -7,7 +7,7 @@ import numpy as np
 from footfall.arrays import Floats, Indices, SmallFloats
 from footfall.skeleton.normalized import EFFECTORS
 
-__all__ = ["channel_clocks", "posed", "root_steps", "root_way", "root_ways"]
+__all__ = ["channel_clocks", "posed", "root_steps", "root_way", "root_ways", "turned_steps"]
 
 
 def posed(keys: SmallFloats, clock: Floats, legs: Indices) -> tuple[Floats, Floats]:
@@ -66,6 +66,20 @@ def root_way(steps: Floats, begin: Floats | None = None) -> Floats:
     moved = _turned(steps[:, :2], headings[:-1])
     places = first[:2] + np.concatenate([np.zeros((1, 2)), np.cumsum(moved, axis=0)])
     return np.column_stack([places, headings])
+
+
+def turned_steps(steps: Floats, pivots: Floats, turn: float) -> Floats:
+    """Return steps that turn by so much altogether, what is missing being shared out evenly.
+
+    Args:
+        steps: As of `root_ways`, shape (n, 3).
+        pivots: What each is turned about, so that it stays where it is: x and z as seen from where
+            the step begins, shape (n, 2).
+        turn: To the left [rad].
+    """
+    missing = np.full(len(steps), (turn - float(steps[:, 2].sum())) / len(steps))
+    places = pivots + _turned(steps[:, :2] - pivots, missing)
+    return np.column_stack([places, steps[:, 2] + missing])
 
 
 def _turned(places: Floats, headings: Floats) -> Floats:

@@ -1,8 +1,6 @@
 """A gait that follows a speed and a turn: several cycles laid over each other, phase by phase.
 
-The weights of the cycles come from gradient bands (R. S. Johansen, *Automated Semi-Procedural
-Animation for Character Locomotion*, 2009, section 6.3): each cycle is whole where it was made,
-and nothing of it is left where another one was. Durations are weighted means too; where a walk
+How much there is of each cycle says `stride_shares`. Durations are weighted means too; where a walk
 becomes a run the double support is a length that goes below zero, and there becomes a flight.
 """
 
@@ -13,7 +11,14 @@ from typing import NamedTuple
 
 import numpy as np
 
-from footfall.actions.cycle_poses import channel_clocks, posed, root_steps, root_way, root_ways
+from footfall.actions.cycle_poses import (
+    channel_clocks,
+    posed,
+    root_steps,
+    root_way,
+    root_ways,
+    turned_steps,
+)
 from footfall.actions.cycles import ONE_FOOT, GaitCycle, aligned_to, check_distinct
 from footfall.actions.foot_times import (
     event_times,
@@ -22,6 +27,7 @@ from footfall.actions.foot_times import (
     mapped_times,
     mixed_phases,
 )
+from footfall.actions.stride_shares import Strides, stride_shares
 from footfall.arrays import Floats, Indices, Seconds, SmallFloats, Weights
 from footfall.errors import ArgumentError
 from footfall.geometry import continuous
@@ -31,9 +37,6 @@ __all__ = ["CycleMix", "Locomotion"]
 
 SHORTEST = 0.04
 """A double support or a flight that goes through zero is never shorter [s]."""
-
-TURN_UNIT = 1.0
-"""A turn of so many rad/s is as far apart as a speed of 1 m/s."""
 
 STRETCH = (0.8, 1.25)
 """A mix is played at most so much slower or faster for its speed to be the one asked for."""
@@ -78,10 +81,11 @@ class Locomotion:
             cycles[0],
             *(aligned_to(cycles[0], other) for other in cycles[1:]),
         )
-        strides = [cycle.stride for cycle in self.cycles]
+        ways, turns = np.array([cycle.stride for cycle in self.cycles]).T
         durations = np.array([cycle.duration for cycle in self.cycles])
-        self.speeds = np.array([stride[0] * leg_length for stride in strides]) / durations
-        self.turns = np.array([stride[1] for stride in strides]) / durations
+        self._strides = Strides(ways * leg_length, turns, durations)
+        self.speeds = self._strides.ways / durations
+        self.turns = turns / durations
         order: list[int] = np.lexsort((self.turns, self.speeds)).tolist()
         check_distinct(
             [(cycles[i].name, float(self.speeds[i]), float(self.turns[i])) for i in order]
@@ -123,16 +127,7 @@ class Locomotion:
 
     def shares(self, speed: float, turn: float) -> Weights:
         """Return how much of each clip belongs to a speed [m/s] and a turn [rad/s], (clips,)."""
-        points = np.stack([self.speeds, self.turns / TURN_UNIT], axis=-1)
-        asked = np.array([speed, turn / TURN_UNIT])
-        weights = np.ones(len(points))
-        for index, point in enumerate(points):
-            apart = np.delete(points, index, axis=0) - point
-            if len(apart):
-                along = (apart @ (asked - point)) / (apart**2).sum(axis=-1)
-                weights[index] = max(1.0 - float(along.max()), 0.0)
-        total = float(weights.sum())
-        return weights / total
+        return stride_shares(self._strides, speed, turn)
 
     def mix(self, speed: float, turn: float, kept: Mapping[int, Support] | None = None) -> CycleMix:
         """Return the cycle of a speed and a turn.
@@ -238,4 +233,14 @@ class Locomotion:
             lengths, steps = lengths + share * effectors, steps + share * way
         turned /= np.linalg.norm(turned, axis=-1, keepdims=True)
         keys = np.concatenate([continuous(turned).reshape(len(times), -1), lengths], axis=1)
-        return keys.astype(np.float32), root_way(steps)
+        carrying = lead * lengths[:-1, [1, 3]] + (1.0 - lead) * lengths[:-1, [4, 6]]
+        turn = self._turn_along(shares, float(steps[:, 1].sum()) * self._leg_length)
+        return keys.astype(np.float32), root_way(turned_steps(steps, carrying, turn))
+
+    def _turn_along(self, shares: Weights, way: float) -> float:
+        """Return how far a mix turns on its way [m]: as far as its strides do on theirs [rad].
+
+        The mix goes with one foot's times, then with the other's, and so misses some of either.
+        """
+        turn, own = float(shares @ self._strides.turns), float(shares @ self._strides.ways)
+        return turn * way / own if own * way > 0.0 else turn

@@ -11,8 +11,8 @@ import numpy as np
 from footfall.actions import Locomotion
 from footfall.arrays import Floats
 from footfall.compilation import records
+from footfall.engine.entry import entry_type
 from footfall.engine.packing import PackedClip
-from footfall.engine.shelf import entry_type
 from footfall.errors import ClipError
 from footfall.motion import Clip
 from footfall.support import SupportSequence

@@ -12,6 +12,7 @@ from footfall.engine.crowd import Crowd
 from footfall.engine.flight import Flight
 from footfall.engine.following import Following
 from footfall.engine.inspection import ActionState, action_states, present_schedule
+from footfall.engine.layered import Layered
 from footfall.engine.library import MotionLibrary
 from footfall.engine.refusals import Late
 from footfall.engine.showing import show_character
@@ -26,7 +27,7 @@ from footfall.sync.tables import Planner
 __all__ = ["Character"]
 
 
-class Character(Following):
+class Character(Layered, Following):
     """A body that performs actions which start and stop at any moment."""
 
     def __init__(

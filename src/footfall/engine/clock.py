@@ -41,7 +41,7 @@ SAME_MOMENT = 1e-9
 """Clock times closer than this are one moment [s]."""
 
 
-@inner_kernel
+@small_kernel
 def pass_time(shelf: Shelf, me: Character, search: SearchMemories, rules: Rules, dt: float) -> None:
     """Let `dt` seconds pass on one character's clocks."""
     if me.unsettled:

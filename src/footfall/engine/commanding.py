@@ -43,9 +43,9 @@ class Commanding:
     _workers: Workers
 
     def _refresh(self) -> None:
-        if len(self.library.actions) != self._known:
+        if self.library.size != self._known:
             self._shelf = self.library.shelf(self._planner)
-            self._known = len(self.library.actions)
+            self._known = self.library.size
 
     def _check_action(self, action: int) -> int:
         if not 0 <= action < len(self.library.actions):

@@ -86,7 +86,7 @@ class Crowd(Standing, Reaching, Populating):
         self._rules = rules_of(planner, ended="stop" if planner == "paper" else None)
         self._rig = library.rig(self.skeleton)
         self._shelf = library.shelf(planner)
-        self._known = len(library.actions)
+        self._known = library.size
         self._workers = Workers(self.skeleton.count, threads)
         self._newborn = new_characters(1, lookahead)
         self._newborn["synchronized"] = synchronized

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping, Sequence
 
 import numpy as np
 
 from footfall.actions import GaitCycle, Locomotion
 from footfall.engine.action import Action, entries_of
-from footfall.engine.library_body import LibraryBody
+from footfall.engine.layer import layer_shelf_of
+from footfall.engine.library_layers import LibraryLayers
 from footfall.engine.packing import PackedClip
 from footfall.engine.priorities import parse_priority
 from footfall.engine.shelf import Shelf
@@ -22,7 +22,7 @@ from footfall.sync.tables import Planner, SequenceTable
 __all__ = ["Action", "MotionLibrary"]
 
 
-class MotionLibrary(LibraryBody):
+class MotionLibrary(LibraryLayers):
     """Actions of one skeleton family, packed for the kernels.
 
     A new clip is appended: it touches no other, and no index ever changes.
@@ -131,13 +131,6 @@ class MotionLibrary(LibraryBody):
         )
         return len(self._actions) - 1
 
-    def _check_new(self, name: str, fade_in: float, fade_out: float) -> None:
-        if any(action.name == name for action in self._actions):
-            raise ArgumentError(f"there already is an action named {name!r}; names must differ")
-        for label, seconds in (("fade_in", fade_in), ("fade_out", fade_out)):
-            if not (math.isfinite(seconds) and seconds >= 0.0):
-                raise ArgumentError(f"{label} of {name!r} is {seconds} s; it must be >= 0")
-
     def shelf(self, planner: Planner = "footfall") -> Shelf:
         """Return the library as the kernels take it.
 
@@ -163,4 +156,5 @@ class MotionLibrary(LibraryBody):
             points=rig.foot_points / rig.leg_length,
             use_paper_cubic=planner == "paper",
             joints=joints,
+            layers=layer_shelf_of(self._layers, joints),
         )

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from footfall.arrays import Floats, SmallFloats
 from footfall.engine.action import Action, check_supports
+from footfall.engine.layer import Layer
 from footfall.engine.packing import (
     PackedClip,
     carrying_feet,
@@ -34,6 +35,7 @@ class LibraryBody:
         """
         self._neutral = neutral
         self._actions: list[Action] = []
+        self._layers: list[Layer] = []
         self._skeleton = skeleton
         self._anatomy: Anatomy | None = None
         self._standing: SmallFloats | None = None

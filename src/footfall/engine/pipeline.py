@@ -18,6 +18,7 @@ from footfall.engine.clock import pass_time
 from footfall.engine.feet import locate_feet, stand_where_planted
 from footfall.engine.flight import fly
 from footfall.engine.landing import foresee_landings
+from footfall.engine.layers import lay_over
 from footfall.engine.placing import STEP, aim_body, place_bodies
 from footfall.engine.pose import blend_poses, move_root
 from footfall.engine.record import HALF_RATE, Character
@@ -56,8 +57,11 @@ def _advance_row(
     """Advance one character by `dt` seconds, at most `LONGEST_STEP`."""
     # 1-3. Which phases are played together, how long they last, what time it is in each clip.
     pass_time(shelf, me, work.search, rules, dt)
-    # 4. The pose of each clip at that time, and their weighted mean, free of any body.
+    # 4. The pose of each clip at that time, and their weighted mean, free of any body; over it,
+    #    without a part in any of this, what the upper body does besides.
     blend_poses(shelf, rig, me, work, lane)
+    if me.layered:
+        lay_over(shelf.layers, me, work.blended[lane], dt)
     fly(shelf, rig, me, dt)
     # 5. The feet of that mean; where nothing plays they stand where they were planted.
     stand_where_planted(shelf, me)

@@ -14,6 +14,7 @@ from footfall.engine.crowd import Crowd
 from footfall.engine.feet import locate_feet, stand_where_planted
 from footfall.engine.flight import fly
 from footfall.engine.landing import foresee_landings
+from footfall.engine.layers import lay_over
 from footfall.engine.placing import aim_body, place_bodies
 from footfall.engine.pose import blend_poses, move_root
 from footfall.engine.state import new_workspace
@@ -32,6 +33,7 @@ def compile_poses(crowd: Crowd) -> None:
     )
     characters, poses = type_of(crowd.characters), type_of(crowd.poses)
     pose, points = type_of(work.blended[0]), type_of(work.points)
+    layers = type_of(crowd.shelf.layers)
     lane: Any = numba.intp
     time: Any = numba.float64
     stages: tuple[tuple[Any, tuple[Any, ...]], ...] = (
@@ -39,6 +41,7 @@ def compile_poses(crowd: Crowd) -> None:
         (keep_footprints, (ground, rig, me, time)),
         (foresee_landings, (library, ground, rig, me, points)),
         (blend_poses, (library, rig, me, memory, lane)),
+        (lay_over, (layers, me, pose, time)),
         (aim_body, (rig, me, memory, lane)),
         (fly, (library, rig, me, time)),
         (move_root, (rig, me, time)),

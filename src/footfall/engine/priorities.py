@@ -10,7 +10,7 @@ from footfall.arrays import Floats
 from footfall.errors import ArgumentError, UnknownNameError
 from footfall.skeleton import BodyPart
 
-__all__ = ["parse_priority"]
+__all__ = ["PART_NAMES", "parse_priority"]
 
 PART_NAMES = {
     "legs": (BodyPart.LEGS,),
@@ -20,6 +20,7 @@ PART_NAMES = {
     "left_arm": (BodyPart.LEFT_ARM,),
     "right_arm": (BodyPart.RIGHT_ARM,),
 }
+"""The body parts that each name stands for."""
 
 
 def parse_priority(priority: float | Mapping[str, float]) -> Floats:

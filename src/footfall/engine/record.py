@@ -6,6 +6,7 @@ from typing import Annotated
 
 from footfall.arrays import Flags, Floats, Indices, Positions, Seconds, Supports, Weights
 from footfall.engine.feet_record import Feet
+from footfall.engine.layer_record import LAYERS, LayerSeats, layer_seat_type
 from footfall.skeleton import BodyPart
 
 __all__ = ["COLUMNS", "FULL", "HALF_RATE", "NO_REACHING", "SEATS", "Character"]
@@ -58,6 +59,9 @@ class Character(Feet):
 
     twisted: bool
     """Whether a foot is turned against its motion, or is going to be."""
+
+    layered: bool
+    """Whether anything is laid over what plays."""
 
     flight: int
     """What happens while nothing carries: a number of `footfall.engine.flight.FLIGHTS`."""
@@ -232,3 +236,6 @@ class Character(Feet):
     foot_turn: Annotated[Floats, 2, 2]
     """How far each foot is turned to the left against its motion, for it stays as it was planted
     while the root is steered [rad], and how fast that changes [rad/s], shape (2, 2)."""
+
+    layers: Annotated[LayerSeats, layer_seat_type, LAYERS]
+    """What is laid over what plays: records of `LayerSeat`, shape (layers,)."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any, NamedTuple, get_args, get_origin, get_type_hints
+from typing import Annotated, Any, NamedTuple, cast, get_args, get_origin, get_type_hints
 
 import numpy as np
 import numpy.typing as npt
@@ -100,6 +100,9 @@ def character_type(lookahead: int) -> np.dtype[Any]:
             fields.append((name, numbers[hint]))
             continue
         array, *shape = get_args(hint)
+        if isinstance(shape[0], np.dtype):
+            fields.append((name, cast(Any, shape[0]), tuple(shape[1:])))
+            continue
         # The last argument of an array type is its numbers' type; before NumPy 2.5, its dtype.
         number = get_args(array)[-1]
         number = (get_args(number) or (number,))[0]

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from footfall.engine.commanding import Commanding
+from footfall.engine.layering import Layering
 from footfall.engine.parameters import Parameters
 from footfall.support import SupportSequence
 
 __all__ = ["Steering"]
 
 
-class Steering(Commanding):
+class Steering(Layering):
     """The part of a crowd that steers what plays."""
 
     _parameters: Parameters

@@ -13,7 +13,8 @@ from typing import Any, Literal, cast
 
 from footfall.errors import FileFormatError, FootfallError, ScenarioError
 from footfall.scenario.cue_sheet_fields import Fields
-from footfall.scenario.entries import ActionEntry, Cue
+from footfall.scenario.cue_sheet_layers import layer_cues, read_layers
+from footfall.scenario.entries import ActionEntry, Cue, LayerEntry
 from footfall.scenario.ground_change import (
     GROUND_KINDS,
     HIGHEST,
@@ -23,7 +24,7 @@ from footfall.scenario.ground_change import (
 )
 from footfall.sync.tables import Planner
 
-__all__ = ["ActionEntry", "Cue", "Scenario", "load_scenario", "parse_scenario"]
+__all__ = ["ActionEntry", "Cue", "LayerEntry", "Scenario", "load_scenario", "parse_scenario"]
 
 LONGEST = 3600.0
 """Greatest duration of a scenario [s]."""
@@ -34,7 +35,7 @@ FASTEST = 1000.0
 FASTEST_GAIT = 20.0
 """Greatest speed [m/s], and turn [rad/s], of a gait."""
 
-COMMANDS = ("start", "stop", "priority", "speed", "turn", "ground")
+COMMANDS = ("start", "stop", "priority", "speed", "turn", "layer", "ground")
 """The keys of a cue, one of which it has."""
 
 WHERE = 'a file beside the scenario or "sample:walk"'
@@ -64,6 +65,9 @@ class Scenario:
 
     body: str | None = None
     """The motion whose skeleton performs; None: the first action's."""
+
+    layers: tuple[LayerEntry, ...] = ()
+    """What can be laid over the actions."""
 
 
 def load_scenario(path: Path | str) -> Scenario:
@@ -114,17 +118,24 @@ def _not_toml(message: str, path: Path) -> FileFormatError:
 
 
 def _scenario(fields: Fields, path: Path) -> Scenario:
-    fields.know("fps", "duration", "body", "planner", "action", "cue")
+    fields.know("fps", "duration", "body", "planner", "action", "layer", "cue")
     duration = fields.number("duration", least=0.0, most=LONGEST, default=10.0, above=True)
     actions = tuple(_action(entry) for entry in fields.tables("action"))
+    layers = read_layers(fields)
     names = [action.name for action in actions]
-    for index, name in enumerate(names):
-        if name in names[:index]:
+    laid = [layer.name for layer in layers]
+    known = [*names, *laid]
+    labels = [
+        *(f"action[{i}]" for i in range(len(names))),
+        *(f"layer[{i}]" for i in range(len(laid))),
+    ]
+    for index, name in enumerate(known):
+        if name in known[:index]:
             raise ScenarioError(
-                f"action[{index}].name is {name!r}, as is that of "
-                f"action[{names.index(name)}]; names must differ"
+                f"{labels[index]}.name is {name!r}, as is that of "
+                f"{labels[known.index(name)]}; names must differ"
             )
-    cues = [cue for entry in fields.tables("cue") for cue in _cues(entry, names, duration)]
+    cues = [cue for entry in fields.tables("cue") for cue in _cues(entry, names, laid, duration)]
     return Scenario(
         path=path,
         actions=actions,
@@ -133,6 +144,7 @@ def _scenario(fields: Fields, path: Path) -> Scenario:
         duration=duration,
         planner=cast(Planner, fields.choice("planner", ("footfall", "paper"))),
         body=fields.text("body", None),
+        layers=layers,
     )
 
 
@@ -171,7 +183,7 @@ def _action(fields: Fields) -> ActionEntry:
     )
 
 
-def _cues(fields: Fields, names: list[str], duration: float) -> list[Cue]:
+def _cues(fields: Fields, names: list[str], laid: list[str], duration: float) -> list[Cue]:
     fields.know("at", *COMMANDS)
     at = fields.number("at", least=0.0, most=duration, default=None)
     commands = [key for key in COMMANDS if fields.has(key)]
@@ -200,6 +212,8 @@ def _cues(fields: Fields, names: list[str], duration: float) -> list[Cue]:
             )
             for name in changes.names
         ]
+    if commands[0] == "layer":
+        return layer_cues(fields, at, laid)
     if commands[0] == "ground":
         return [Cue(at, "ground", ground=_ground(fields))]
     kind = cast(Literal["start", "stop"], commands[0])

@@ -26,6 +26,7 @@ __all__ = [
     "SAMPLE",
     "Motion",
     "body_of",
+    "edited_motion",
     "load_motion",
     "load_with_supports",
     "resolve_motion",
@@ -147,9 +148,9 @@ def resolve_motion(entry: ActionEntry, scenario: Scenario, like: Motion | None =
         ScenarioError: If the motion cannot be read or edited as asked.
     """
     try:
-        first = _resolved(entry, scenario, like)
+        first = edited_motion(entry, scenario, like)
         others = tuple(
-            _resolved(replace(entry, motion=name, others=()), scenario, like or first)
+            edited_motion(replace(entry, motion=name, others=()), scenario, like or first)
             for name in entry.others
         )
         return replace(first, others=others)
@@ -157,7 +158,17 @@ def resolve_motion(entry: ActionEntry, scenario: Scenario, like: Motion | None =
         raise ScenarioError(f"{scenario.path}: action {entry.name!r}: {error}") from error
 
 
-def _resolved(entry: ActionEntry, scenario: Scenario, like: Motion | None) -> Motion:
+def edited_motion(entry: ActionEntry, scenario: Scenario, like: Motion | None = None) -> Motion:
+    """Return the one motion of an action, cut and mirrored as it says.
+
+    Args:
+        entry: Which action.
+        scenario: Its cue sheet.
+        like: As of `resolve_motion`.
+
+    Raises:
+        FootfallError: If it cannot be read or edited as asked.
+    """
     clip, known = load_motion(entry.motion, scenario.path.parent, scenario.fps)
     anatomy = find_anatomy(clip.skeleton)
     if entry.mirror:

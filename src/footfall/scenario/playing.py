@@ -112,6 +112,10 @@ class Play:
             self.character.set_parameters(cue.action, speed=cue.parameter)
         elif cue.kind == "turn":
             self.character.set_parameters(cue.action, turn=cue.parameter)
+        elif cue.kind == "layer" and cue.parameter > 0.0:
+            self.character.start_layer(cue.action, weight=cue.parameter)
+        elif cue.kind == "layer":
+            self.character.stop_layer(cue.action)
         elif cue.kind == "priority":
             assert cue.priority is not None
             self.character.set_priority(cue.action, cue.priority)

@@ -11,6 +11,7 @@ from footfall.engine import Character, MotionLibrary
 from footfall.motion import Clip, extract_root_path
 from footfall.scenario.cue_sheet import Scenario
 from footfall.scenario.entries import ActionEntry
+from footfall.scenario.layer_motions import add_layers
 from footfall.scenario.motions import Motion, body_of
 from footfall.skeleton import Skeleton, find_anatomy
 from footfall.sync.tables import Planner
@@ -59,6 +60,7 @@ def prepare_character(
     made = clips or [motion.clip for motion in motions]
     for entry, motion, clip in zip(scenario.actions, motions, made, strict=True):
         add_action(character, entry, replace(motion, clip=clip))
+    add_layers(character, scenario)
     _place(character, motions[leading])
     return character, ground
 

@@ -36,6 +36,11 @@ def open_scenario(session: Session, name: str) -> None:
         raise ScenarioError(
             f"{path}: the studio opens scenarios beside it; start it in {path.parent}"
         )
+    if scenario.layers:
+        raise ScenarioError(
+            f"{path}: has the layer {scenario.layers[0].name!r}; the studio lays none, "
+            "footfall blend does"
+        )
 
     def work(job: Job) -> None:
         motions: list[Motion] = []
