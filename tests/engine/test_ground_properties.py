@@ -150,12 +150,12 @@ def random_field(seed: int, correlation: float, height: float) -> HeightField:
     spacing, across = 0.05, 240
     field: Floats = np.random.default_rng(seed).standard_normal((across, across))
     # Noise through a Gaussian of width s is correlated as exp(-d² / 4 s²).
-    reach = np.arange(-2.0 * correlation, 2.0 * correlation, spacing) / correlation
+    reach: Floats = np.arange(-2.0 * correlation, 2.0 * correlation, spacing) / correlation
     kernel: Floats = np.exp(-2.0 * reach**2)
-    for axis in range(2):
-        field = np.apply_along_axis(np.convolve, axis, field, kernel, "same")
+    for _ in range(2):
+        field = np.stack([np.convolve(row, kernel, "same") for row in field.T])
     field *= height / np.abs(field).max()
-    slopes = np.hypot(*np.gradient(field, spacing))
+    slopes = np.hypot(np.diff(field, axis=0)[:, :-1], np.diff(field, axis=1)[:-1]) / spacing
     field *= min(1.0, STEEPEST / float(slopes.max()))
     return HeightField(field, spacing)
 
