@@ -6,9 +6,18 @@ import importlib
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from footfall.adaptation import Plane
+    from footfall.adaptation import Ground, Plane
     from footfall.detection import clean, detect_supports
-    from footfall.engine import Character, Crowd, Frame, Impossible, MotionLibrary, Started, Waiting
+    from footfall.engine import (
+        Character,
+        Crowd,
+        Frame,
+        Impossible,
+        MotionLibrary,
+        PathFollower,
+        Started,
+        Waiting,
+    )
     from footfall.errors import FootfallError
     from footfall.io import load, load_supports, save, save_supports
     from footfall.motion import Clip
@@ -23,8 +32,10 @@ __all__ = [
     "Crowd",
     "FootfallError",
     "Frame",
+    "Ground",
     "Impossible",
     "MotionLibrary",
+    "PathFollower",
     "Plane",
     "Skeleton",
     "Started",
@@ -43,7 +54,7 @@ __all__ = [
 ]
 
 _PACKAGES = {
-    "adaptation": ("Plane",),
+    "adaptation": ("Ground", "Plane"),
     "detection": ("clean", "detect_supports"),
     "engine": (
         "Character",
@@ -51,6 +62,7 @@ _PACKAGES = {
         "Frame",
         "Impossible",
         "MotionLibrary",
+        "PathFollower",
         "Started",
         "Waiting",
     ),

@@ -8,6 +8,7 @@ FootfallError
 ├── ScenarioError            a cue sheet that cannot be played (also ValueError)
 ├── SourceError              a motion source of the user's raised something (also RuntimeError)
 ├── ArgumentError            an argument out of its range (also ValueError)
+├── GroundError              a ground of a program's own that fails (also RuntimeError)
 ├── MissingExtraError        an optional library that is not installed (also ImportError)
 ├── MissingViewerError       a viewer, or what it needs, is not installed (also ImportError)
 └── UnknownNameError         a name that is not there; lists those that are (also LookupError)
@@ -25,6 +26,7 @@ __all__ = [
     "ClipError",
     "FileFormatError",
     "FootfallError",
+    "GroundError",
     "MissingExtraError",
     "MissingViewerError",
     "ScenarioError",
@@ -57,6 +59,10 @@ class ScenarioError(FootfallError, ValueError):
 
 class ArgumentError(FootfallError, ValueError):
     """An argument is out of its range."""
+
+
+class GroundError(FootfallError, RuntimeError):
+    """A ground of a program's own fails; the error that it raised is the cause."""
 
 
 class MissingViewerError(FootfallError, ImportError):

@@ -11,6 +11,7 @@ from footfall.adaptation.footprints import (
     LOWER,
     SLOWER,
     approach,
+    gentle_spring,
     hold_foot,
     release_foot,
     spring,
@@ -47,6 +48,25 @@ def test_a_spring_from_rest_comes_to_its_goal_without_passing_it() -> None:
         value, speed = spring(value, speed, 0.0, 14.0, DT)
         assert 0.0 <= value <= before
     assert value < 1e-6
+
+
+@settings(deadline=None)
+@given(numbers, numbers, numbers, st.floats(1.0, 50.0), st.floats(1e-3, 0.1))
+def test_a_gentle_spring_is_a_spring_that_is_never_accelerated_more_than_told(
+    value: float, speed: float, goal: float, stiffness: float, dt: float
+) -> None:
+    _, after = gentle_spring(value, speed, goal, stiffness, 30.0, dt)
+    assert abs(after - speed) <= 30.0 * dt + 1e-9
+    free = gentle_spring(value, speed, goal, stiffness, 1e9, dt)
+    assert free == spring(value, speed, goal, stiffness, dt)
+
+
+def test_a_gentle_spring_comes_to_its_goal_too() -> None:
+    value, speed = 0.2, 0.0
+    for _ in range(120):
+        value, speed = gentle_spring(value, speed, 0.0, 30.0, 40.0, DT)
+        assert value > -0.01
+    assert abs(value) < 1e-4
 
 
 @settings(deadline=None)

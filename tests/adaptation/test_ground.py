@@ -57,6 +57,13 @@ def test_a_platform_swings_or_goes_on_and_turns() -> None:
     assert height(turns, 0.0, 1.9, 1.0) == pytest.approx(0.3)
 
 
+def test_a_platform_tilts_to_each_side() -> None:
+    tilts = Platform((1.0, 0.3, 0.0), (9.0, 9.0), period=4.0, tilt=(0.2, -0.1))
+    assert height(tilts, 2.0, 3.0, 0.0) == pytest.approx(0.3)
+    assert height(tilts, 2.0, 3.0, 1.0) == pytest.approx(0.3 + 0.2 - 0.3)
+    assert height(tilts, 2.0, 3.0, 3.0) == pytest.approx(0.3 - 0.2 + 0.3)
+
+
 def test_a_field_is_linear_between_its_heights_and_level_beyond_them() -> None:
     field = HeightField(np.array([[0.0, 1.0], [2.0, 3.0]]), 2.0, (1.0, 1.0))
     assert height(field, 0.0, 0.0) == pytest.approx(0.0)

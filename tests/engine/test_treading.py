@@ -21,6 +21,7 @@ from footfall.arrays import Floats, Positions, Seconds
 from footfall.engine.recording import Recorder, Recording
 from footfall.motion import with_soles
 from footfall.report import MethodReport, Trace, Track, measure
+from footfall.report.pops import joint_pops
 from footfall.skeleton import Anatomy, find_anatomy
 
 FPS = 60
@@ -68,8 +69,8 @@ def resting() -> Floats:
     return Track.from_trace(trace(walked(Plane()), Plane(), None)).resting_levels
 
 
-def measured(ground: AnyGround, resting: Floats, frames: int = 240) -> MethodReport:
-    return measure(trace(walked(ground, frames), ground, resting))
+def measured(ground: AnyGround, resting: Floats) -> MethodReport:
+    return measure(trace(walked(ground), ground, resting))
 
 
 def hilly() -> HeightField:
@@ -99,17 +100,55 @@ GROUNDS: dict[str, AnyGround] = {
 
 @pytest.mark.parametrize("name", GROUNDS)
 def test_planted_feet_stay_on_whatever_they_stand(name: str, resting: Floats) -> None:
-    report = measured(GROUNDS[name], resting)
+    recording = walked(GROUNDS[name])
+    report = measure(trace(recording, GROUNDS[name], resting))
     drift, penetration, floating = (
         spread.overall.p95 for spread in (report.drift, report.penetration, report.floating)
     )
-    print(f"{name}: drift {drift:.1f}, penetration {penetration:.1f}, float {floating:.1f} mm p95")
+    pops, level = joint_pops(recording.world_positions), joint_pops(walked(Plane()).world_positions)
+    assert pops is not None
+    assert level is not None
+    ratios = pops.over(level)
+    assert ratios is not None
+    print(
+        f"{name}: drift {drift:.1f}, penetration {penetration:.1f}, float {floating:.1f} mm p95; "
+        f"pops {ratios.speed_p999:.2f} {ratios.acceleration_p999:.2f} of those on level ground"
+    )
+    assert ratios.speed_p999 <= 2.0
+    assert ratios.acceleration_p999 <= 2.0
     assert drift is not None
     assert drift <= 5.0
     assert penetration is not None
     assert penetration <= 5.0
     assert floating is not None
     assert floating <= 10.0
+
+
+@pytest.mark.parametrize("height", [0.0, 0.05, 0.15])
+@pytest.mark.parametrize("way", [(0.5, 0.0), (0.0, 0.5), (0.0, -0.5)])
+def test_a_foot_that_comes_down_at_the_edge_of_what_moves_does_not_slide(
+    way: tuple[float, float], height: float, resting: Floats
+) -> None:
+    worst = 0.0
+    for shift in (0.0, 0.11, 0.22, 0.33):
+        place = (-2.0 * way[0], height, 2.4 + shift - 2.0 * way[1])
+        platform = Platform(place, (2.0 + shift, 1.6), way=(way[0], 0.0, way[1]))
+        drift = measured(Terrain((Plane(), platform)), resting).drift.overall.maximum
+        worst = max(worst, drift or 0.0)
+    print(f"an edge {height} m high, going {way} m/s: drift at most {worst:.1f} mm")
+    assert worst <= 10.0
+
+
+def test_what_is_put_on_a_slope_stands_on_it_from_the_first_frame() -> None:
+    walk, supports = ff.sample("walk")
+    hero = ff.Character(walk.skeleton, ground=Plane(0.0, (0.0, TWENTY)))
+    hero.add("walk", walk, supports)
+    hero.start("walk")
+    shown = np.array([hero.advance(1 / FPS if i else 0.0).world_positions.copy() for i in range(6)])
+    pops, level = joint_pops(shown), joint_pops(walked(Plane()).world_positions)
+    assert pops is not None
+    assert level is not None
+    assert pops.acceleration_max < 2.0 * level.acceleration_max
 
 
 def test_the_body_goes_where_the_ground_leads() -> None:

@@ -11,12 +11,10 @@ from footfall.engine import Impossible, Started
 from footfall.figures.changing_ground import walk_on_hills
 from footfall.figures.comparison import comparison_performances
 from footfall.figures.delays import ROWS, delays_performances
-from footfall.figures.turning_walk import ROLES, TURNING, turned, walk_and_turn
+from footfall.figures.path_walk import OTHER_SIDE, ROLES, follow_curve, walk_and_turn
 from footfall.figures.walk_to_hop import answers
 from footfall.figures.way import Way, draw_slides
-from footfall.motion import extract_root_path
 from footfall.report import measure, performance_trace
-from footfall.skeleton import find_anatomy
 from footfall.support import Support
 from footfall.view.palette import SLIP
 from footfall.view.svg import Picture
@@ -43,7 +41,8 @@ def test_figure_14_shows_the_sequence_and_that_a_hop_alone_finds_no_room() -> No
 def test_figure_15_keeps_to_the_line_while_the_body_turns_round() -> None:
     walked = walk_and_turn(cast())
     assert np.ptp(walked.headings) > math.radians(170.0)
-    assert np.abs(walked.roots[:, 0]).max() < 0.12
+    assert np.percentile(np.abs(walked.away), 95) < 0.12
+    assert np.abs(walked.away).max() < 0.2
     assert np.ptp(walked.roots[:, 1]) > 5.0
     slip = walked.report.slip.overall
     assert slip.p95 is not None
@@ -52,13 +51,18 @@ def test_figure_15_keeps_to_the_line_while_the_body_turns_round() -> None:
         assert role in words(15)
 
 
-def test_a_turned_motion_turns_as_told_and_keeps_its_feet() -> None:
-    for role in ROLES:
-        motion = turned(cast().motion(role), TURNING)
-        path = extract_root_path(motion.clip, find_anatomy(motion.clip.skeleton))
-        assert math.isclose(path.displacement[2], TURNING * motion.clip.duration, abs_tol=1e-3)
-    walk = cast().motion("walk")
-    assert turned(walk, 0.0) is walk
+def test_figure_15_goes_round_a_curve_facing_one_way() -> None:
+    walked = follow_curve(cast())
+    assert np.percentile(np.abs(walked.away), 95) < 0.12
+    assert np.abs(walked.away).max() < 0.3
+    assert np.abs(np.degrees(walked.headings)).max() < 15.0
+    slip = walked.report.slip.overall
+    assert slip.p95 is not None
+    assert slip.p95 < 5.0
+    names = list(walked.recording.actions)
+    greatest = {name: float(walked.recording.shares[:, names.index(name)].max()) for name in names}
+    assert set(greatest) == {*ROLES, OTHER_SIDE}
+    assert min(greatest.values()) > 0.8
 
 
 def test_figure_16_keeps_feet_on_hills_that_stand_still_or_change() -> None:

@@ -102,6 +102,12 @@ def changed(array: Positions, index: tuple[int, ...], number: float) -> Position
             "clip 'walk': a pelvis position in frame 2 is not finite",
         ),
         (
+            changed(POSITIONS, (1, 2), -4e7),
+            ROTATIONS,
+            "clip 'walk': the pelvis in frame 1 is 4e+07 m away; it must be within 1e+06 m, in "
+            "meters",
+        ),
+        (
             POSITIONS,
             changed(ROTATIONS, (3, 1, 0), math.inf),
             "clip 'walk': a rotation in frame 3 is not finite",

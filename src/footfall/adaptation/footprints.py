@@ -15,9 +15,11 @@ from footfall.compilation import small_kernel
 __all__ = [
     "GRIP_TIME",
     "LIFT_SPEED",
+    "RELEASE_SPEED",
     "ROLL_TIME",
     "SPEED_TIME",
     "approach",
+    "gentle_spring",
     "hold_foot",
     "release_foot",
     "settle",
@@ -47,8 +49,14 @@ RELEASE_SPEED = 14.0
 LIFT_SPEED = 30.0
 """Of the spring that raises a swinging foot over what lies ahead [1/s]."""
 
-SETTLE_SPEED = 25.0
+HARDEST_LIFT, HARDEST_SINK = 66.0, 80.0
+"""The most by which a swinging foot is accelerated towards a place above or below it [m/s²]."""
+
+SETTLE_SPEED = 50.0
 """Of the spring that brings a carrying foot to the height of the ground [1/s]."""
+
+HARDEST_SETTLE = 60.0
+"""The most by which that accelerates it [m/s²]."""
 
 
 @small_kernel
@@ -97,6 +105,18 @@ def settle(
 
 
 @small_kernel
+def gentle_spring(
+    value: float, speed: float, goal: float, stiffness: float, hardest: float, dt: float
+) -> tuple[float, float]:
+    """Return what `spring` does, where the speed changes at most by `hardest` [1/s²]."""
+    new, new_speed = spring(value, speed, goal, stiffness, dt)
+    if abs(new_speed - speed) <= hardest * dt:
+        return new, new_speed
+    new_speed = speed + math.copysign(hardest * dt, new_speed - speed)
+    return value + 0.5 * (speed + new_speed) * dt, new_speed
+
+
+@small_kernel
 def hold_foot(
     offset: Positions,
     velocity: Positions,
@@ -118,7 +138,9 @@ def hold_foot(
     for axis, moved in ((0, slide[0]), (2, slide[1])):
         offset[axis] -= grip * moved
         velocity[axis] = -grip * moved / dt if dt > 0.0 else 0.0
-    offset[1], velocity[1] = spring(offset[1], velocity[1], height, SETTLE_SPEED, dt)
+    offset[1], velocity[1] = gentle_spring(
+        offset[1], velocity[1], height, SETTLE_SPEED, HARDEST_SETTLE, dt
+    )
 
 
 @small_kernel
@@ -144,7 +166,8 @@ def release_foot(
         offset[axis], velocity[axis] = spring(
             offset[axis], velocity[axis], place, RELEASE_SPEED, dt
         )
-    offset[1], velocity[1] = spring(offset[1], velocity[1], goal[1], lift, dt)
+    hardest = HARDEST_LIFT if goal[1] > offset[1] else HARDEST_SINK
+    offset[1], velocity[1] = gentle_spring(offset[1], velocity[1], goal[1], lift, hardest, dt)
     if offset[1] < least:
         offset[1] = least
         velocity[1] = max(velocity[1], 0.0)

@@ -10,9 +10,10 @@ import math
 from dataclasses import dataclass
 
 from footfall.adaptation.height_field import HeightField, check_finite, check_positive
+from footfall.adaptation.own_ground import Ground
 from footfall.errors import ArgumentError
 
-__all__ = ["AnyGround", "Plane", "Platform", "Ramp", "Stairs", "Terrain"]
+__all__ = ["AnyGround", "BuiltGround", "Plane", "Platform", "Ramp", "Stairs", "Terrain"]
 
 STEEPEST = math.tan(math.radians(60.0))
 """Greatest rise per meter of a plane or a ramp."""
@@ -107,10 +108,11 @@ class Stairs:
 
 @dataclass(frozen=True, slots=True)
 class Platform:
-    """A level plate that moves or turns.
+    """A plate that moves, turns or tilts.
 
     Raises:
-        ArgumentError: If a number is not finite, a size not positive, or the period negative.
+        ArgumentError: If a number is not finite, a size not positive, or the period negative; if
+            it tilts beyond 60 degrees, or without a period.
     """
 
     place: tuple[float, float, float]
@@ -128,11 +130,22 @@ class Platform:
     turning: float = 0.0
     """How fast it turns [rad/s]."""
 
+    tilt: tuple[float, float] = (0.0, 0.0)
+    """By how much it tilts to each side in its period: rise per meter along its own x and z. What
+    stands on it is taken up and down, not sideways."""
+
     def __post_init__(self) -> None:
-        check_finite("a platform with", *self.place, *self.way, self.turning, self.period)
+        numbers = (*self.place, *self.way, self.turning, self.period, *self.tilt)
+        check_finite("a platform with", *numbers)
         check_positive("a platform", width=self.size[0], length=self.size[1])
         if self.period < 0.0:
             raise ArgumentError(f"a platform with a period of {self.period} s; it must be >= 0")
+        if math.hypot(*self.tilt) > STEEPEST:
+            raise ArgumentError(
+                f"a platform that tilts by {self.tilt}; nobody stands where it is steeper than 60°"
+            )
+        if any(self.tilt) and self.period == 0.0:
+            raise ArgumentError("a platform that tilts without a period; give one > 0 s")
 
 
 @dataclass(frozen=True, slots=True)
@@ -151,5 +164,8 @@ class Terrain:
             raise ArgumentError("a terrain without parts; give at least one surface")
 
 
-AnyGround = Plane | Ramp | Stairs | Platform | HeightField | Terrain
+BuiltGround = Plane | Ramp | Stairs | Platform | HeightField | Terrain
+"""The kinds that the kernels know."""
+
+AnyGround = BuiltGround | Ground
 """Everything a character can stand on."""

@@ -7,17 +7,27 @@ from typing import Any
 
 import numpy as np
 
-from footfall.adaptation.ground import AnyGround, Plane, Platform, Ramp, Stairs, Terrain
+from footfall.adaptation.ground import (
+    AnyGround,
+    BuiltGround,
+    Plane,
+    Platform,
+    Ramp,
+    Stairs,
+    Terrain,
+)
 from footfall.adaptation.height_field import HeightField
-from footfall.adaptation.surfaces import FIELD, SLOPE, STAIRS, Ground, probe, surface_type
+from footfall.adaptation.own_ground import own_heights_at
+from footfall.adaptation.surface_record import FIELD, SLOPE, STAIRS, Ground, surface_type
+from footfall.adaptation.surfaces import probe
 from footfall.arrays import Floats, Positions, Seconds
 from footfall.compilation import kernel, records
 
 __all__ = ["ground_heights", "pack_ground"]
 
 
-def pack_ground(ground: AnyGround) -> Ground:
-    """Return a ground as the kernels take it."""
+def pack_ground(ground: BuiltGround) -> Ground:
+    """Return a ground of a kind that they know as the kernels take it."""
     parts = ground.parts if isinstance(ground, Terrain) else (ground,)
     surfaces = records(np.zeros(len(parts), dtype=surface_type))
     samples: list[Floats] = [np.zeros(1)]
@@ -43,10 +53,15 @@ def ground_heights(ground: AnyGround, points: Positions, times: Seconds) -> Floa
         ground: The ground.
         points: Where [m], of which x and z count, shape (..., 3).
         times: Clock times [s], shape (...).
+
+    Raises:
+        GroundError: If it is a program's own, and fails.
     """
     out = np.empty(points.shape[:-1])
     flat = np.ascontiguousarray(points, dtype=np.float64).reshape(-1, 3)
     when = np.ascontiguousarray(np.broadcast_to(times, out.shape), dtype=np.float64).reshape(-1)
+    if not isinstance(ground, BuiltGround):
+        return own_heights_at(ground, flat, when).reshape(out.shape)
     _write_heights(pack_ground(ground), flat, when, out.reshape(-1))
     return out
 
@@ -76,11 +91,9 @@ def _fields(part: Plane | Ramp | Stairs | Platform | HeightField) -> dict[str, f
             "count_z": rows,
             "spacing": part.spacing,
         }
-    x, y, z = part.place
     if isinstance(part, Platform):
-        fields = {"x": x, "y": y, "z": z, "period": part.period, "turning": part.turning}
-        fields |= dict(zip(("way_x", "way_y", "way_z"), part.way, strict=True))
-        return fields | {"half_x": 0.5 * part.size[0], "half_z": 0.5 * part.size[1]}
+        return _platform_fields(part)
+    x, y, z = part.place
     length = part.length if isinstance(part, Ramp) else part.steps * part.tread + part.landing
     fields = {
         "x": x + 0.5 * length * math.sin(part.heading),
@@ -98,3 +111,12 @@ def _fields(part: Plane | Ramp | Stairs | Platform | HeightField) -> dict[str, f
         "tread": part.tread,
         "steps": part.steps,
     }
+
+
+def _platform_fields(part: Platform) -> dict[str, float]:
+    """Return the same of a platform."""
+    fields = {"period": part.period, "turning": part.turning}
+    fields |= dict(zip(("x", "y", "z"), part.place, strict=True))
+    fields |= dict(zip(("way_x", "way_y", "way_z"), part.way, strict=True))
+    fields |= dict(zip(("tilt_x", "tilt_z"), part.tilt, strict=True))
+    return fields | {"half_x": 0.5 * part.size[0], "half_z": 0.5 * part.size[1]}

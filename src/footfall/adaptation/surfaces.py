@@ -1,141 +1,18 @@
-"""Surfaces as the kernels take them: how high each is at a place and a time, and how it moves."""
+"""How high surfaces are at a place and a time, and how they move: for the kernels."""
 
 from __future__ import annotations
 
 import math
-from typing import NamedTuple, Protocol
+from typing import NamedTuple
 
-import numpy as np
-
+from footfall.adaptation.surface_record import FIELD, STAIRS, Ground, Surface
 from footfall.arrays import Floats
 from footfall.compilation import inner_kernel, small_kernel
 from footfall.geometry import transforms
 
-__all__ = [
-    "FIELD",
-    "SLOPE",
-    "STAIRS",
-    "Contact",
-    "Ground",
-    "Surface",
-    "Surfaces",
-    "carry",
-    "frame_of",
-    "probe",
-    "surface_type",
-]
-
-SLOPE, STAIRS, FIELD = 0, 1, 2
-"""What a surface is: an even slope, steps that rise along its own z, or heights on a grid."""
+__all__ = ["Contact", "carry", "frame_of", "is_level", "probe"]
 
 TURN = 2.0 * math.pi
-
-
-class Surface:
-    """One surface: a record of `surface_type`. Its own frame lies in its middle, z forward."""
-
-    kind: int
-    """`SLOPE`, `STAIRS` or `FIELD`."""
-
-    x: float
-    """Where its frame is at clock time 0 [m]."""
-
-    y: float
-    """Its height there [m]."""
-
-    z: float
-    """[m]"""
-
-    heading: float
-    """[rad]"""
-
-    half_x: float
-    """Half its width [m]; infinite where it has no end."""
-
-    half_z: float
-    """Half its length [m], likewise."""
-
-    slope_x: float
-    """Rise per meter along its own x."""
-
-    slope_z: float
-    """Rise per meter along its own z."""
-
-    rise: float
-    """Of one step [m]."""
-
-    tread: float
-    """Of one step [m]."""
-
-    steps: int
-    """How many."""
-
-    way_x: float
-    """How far it goes each way from where it is at rest [m], or, where `period` is 0, per
-    second."""
-
-    way_y: float
-    """[m]"""
-
-    way_z: float
-    """[m]"""
-
-    period: float
-    """Of its way there and back [s]; 0 where it goes on for ever."""
-
-    turning: float
-    """How fast it turns about its middle [rad/s]."""
-
-    first: int
-    """Where its heights begin in `Ground.samples`."""
-
-    count_x: int
-    """How many there are along its own x."""
-
-    count_z: int
-    """And along its own z."""
-
-    spacing: float
-    """Between them [m]."""
-
-
-surface_type = np.dtype(
-    [
-        (name, np.int64 if hint == "int" else np.float64)
-        for name, hint in Surface.__annotations__.items()
-    ],
-    align=True,
-)
-"""The memory layout of `Surface`."""
-
-
-class Surfaces(Protocol):
-    """An array of `Surface` records, shape (surfaces,)."""
-
-    @property
-    def shape(self) -> tuple[int, ...]:
-        """How many there are, as a tuple of one."""
-        ...
-
-    def __getitem__(self, index: int) -> Surface:
-        """Return one surface."""
-        ...
-
-
-class Ground(NamedTuple):
-    """All surfaces that a character may stand on.
-
-    Where several lie above each other the highest counts.
-    """
-
-    surfaces: Surfaces
-    """One record of `surface_type` for each, shape (surfaces,)."""
-
-    even: bool
-    """Whether there is but one, endless, of one slope and at rest, its middle at the origin."""
-
-    samples: Floats
-    """The heights of all grids, one after the other, row by row along x [m], shape (samples,)."""
 
 
 class Contact(NamedTuple):
@@ -169,6 +46,13 @@ def frame_of(surface: Surface, time: float) -> tuple[float, float, float, float]
 
 
 @small_kernel
+def is_level(ground: Ground) -> bool:
+    """Return whether the ground is one level plane."""
+    one = ground.surfaces[0]
+    return ground.even and one.slope_x == 0.0 and one.slope_z == 0.0
+
+
+@small_kernel
 def probe(ground: Ground, x: float, z: float, time: float) -> Contact:
     """Return what lies under a place at a clock time; height 0 and level where nothing does."""
     if ground.even:
@@ -188,7 +72,7 @@ def _highest(ground: Ground, x: float, z: float, time: float) -> Contact:
         lx, lz = transforms.apply(0.0, 0.0, -heading, x - fx, z - fz)
         if abs(lx) > surface.half_x or abs(lz) > surface.half_z:
             continue
-        rise, slope_x, slope_z = _relief(ground, surface, lx, lz)
+        rise, slope_x, slope_z = _relief(ground, surface, lx, lz, time)
         height = fy + rise
         if best.surface < 0 or height > best.height:
             world_x, world_z = transforms.apply(0.0, 0.0, heading, slope_x, slope_z)
@@ -197,14 +81,20 @@ def _highest(ground: Ground, x: float, z: float, time: float) -> Contact:
 
 
 @inner_kernel
-def _relief(ground: Ground, surface: Surface, x: float, z: float) -> tuple[float, float, float]:
+def _relief(
+    ground: Ground, surface: Surface, x: float, z: float, time: float
+) -> tuple[float, float, float]:
     """Return how high a surface is over its frame, and its slopes, at a place in that frame."""
     if surface.kind == STAIRS:
         done = math.floor((z + surface.half_z) / surface.tread) + 1.0
         return surface.rise * min(max(done, 0.0), float(surface.steps)), 0.0, 0.0
     if surface.kind == FIELD:
         return _interpolated(ground.samples, surface, x, z)
-    return surface.slope_x * x + surface.slope_z * z, surface.slope_x, surface.slope_z
+    slope_x, slope_z = surface.slope_x, surface.slope_z
+    if surface.tilt_x != 0.0 or surface.tilt_z != 0.0:
+        share = math.sin(TURN * time / surface.period)
+        slope_x, slope_z = slope_x + share * surface.tilt_x, slope_z + share * surface.tilt_z
+    return slope_x * x + slope_z * z, slope_x, slope_z
 
 
 @inner_kernel
@@ -247,4 +137,8 @@ def carry(
     bx, by, bz, b_heading = frame_of(one, after)
     turn = b_heading - a_heading
     moved_x, moved_z = transforms.apply(bx, bz, turn, x - ax, z - az)
-    return moved_x - x, by - ay, moved_z - z, turn
+    rise = by - ay
+    if one.tilt_x != 0.0 or one.tilt_z != 0.0:
+        lx, lz = transforms.apply(0.0, 0.0, -a_heading, x - ax, z - az)
+        rise += _relief(ground, one, lx, lz, after)[0] - _relief(ground, one, lx, lz, before)[0]
+    return moved_x - x, rise, moved_z - z, turn

@@ -6,6 +6,7 @@ import json
 from collections.abc import Callable
 from dataclasses import dataclass
 
+from footfall.benchmark.adapting import adaptation_rows
 from footfall.benchmark.crowds import crowd_rows
 from footfall.benchmark.processes import process_rows
 from footfall.benchmark.references import reference_rows
@@ -25,6 +26,7 @@ class _Kind:
 KINDS = (
     _Kind("the reference work, by four ways", reference_rows),
     _Kind("crowds", crowd_rows),
+    _Kind("adaptation beside the rest of a tick", adaptation_rows),
     _Kind("processes: import, cache, cold compile", process_rows),
 )
 

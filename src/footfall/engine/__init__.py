@@ -5,6 +5,7 @@ from footfall.engine.answers import Impossible, Started, Waiting
 from footfall.engine.character import Character
 from footfall.engine.crowd import Crowd
 from footfall.engine.library import MotionLibrary
+from footfall.engine.path_follower import PathFollower
 from footfall.engine.recording import Recorder, Recording
 from footfall.engine.state import Frame
 
@@ -15,6 +16,7 @@ __all__ = [
     "Frame",
     "Impossible",
     "MotionLibrary",
+    "PathFollower",
     "Recorder",
     "Recording",
     "Started",

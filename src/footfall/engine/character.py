@@ -10,7 +10,7 @@ from footfall.adaptation import AnyGround
 from footfall.engine.answers import Impossible, Started, Waiting
 from footfall.engine.crowd import Crowd
 from footfall.engine.flight import Flight
-from footfall.engine.handed import Handed
+from footfall.engine.following import Following
 from footfall.engine.inspection import ActionState, action_states, present_schedule
 from footfall.engine.layered import Layered
 from footfall.engine.learning import Learning
@@ -28,7 +28,7 @@ from footfall.sync.tables import Planner
 __all__ = ["Character"]
 
 
-class Character(Layered, Handed, Learning):
+class Character(Layered, Following, Learning):
     """A body that performs actions which start and stop at any moment."""
 
     def __init__(
@@ -201,7 +201,7 @@ class Character(Layered, Handed, Learning):
             ArgumentError: If `dt` is negative or not finite, or there is no action yet.
         """
         crowd = self.crowd
-        crowd.advance(dt)
+        self._go_on(dt)
         me = crowd.characters[0]
         return Frame(
             float(me["clock"]),

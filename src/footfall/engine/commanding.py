@@ -27,6 +27,7 @@ from footfall.engine.record import SEATS
 from footfall.engine.refusals import LATE, Late, check_patience, explain_wait
 from footfall.engine.rows import Rows, check_present
 from footfall.engine.shelf import Shelf
+from footfall.engine.state import Workspace
 from footfall.engine.workers import Workers
 from footfall.errors import ArgumentError
 from footfall.sync.refusal import Refusal
@@ -211,6 +212,11 @@ class Commanding:
     def search(self) -> SearchMemories:
         """Memory of the planner."""
         return self._workers.search
+
+    @property
+    def workspace(self) -> Workspace:
+        """Memory to work in, that of the thread that gives commands, for the first body."""
+        return self._workers.workspaces(self._bodies.all[0].skeleton.count)[0]
 
     @property
     def rules(self) -> Rules:

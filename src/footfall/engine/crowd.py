@@ -8,8 +8,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from footfall.adaptation import AnyGround, Plane
-from footfall.adaptation.surfaces import Ground
+from footfall.adaptation import AnyGround, BuiltGround, Plane
 from footfall.arrays import Indices, Positions, Rotations, SmallFloats, Supports
 from footfall.engine.bodies import Bodies
 from footfall.engine.cohorts import Cohort, Span, blocks_of, lay_out
@@ -121,11 +120,22 @@ class Crowd(Standing, Remembering, Populating):
 
         Raises:
             ArgumentError: If `dt` is negative or not finite.
+            GroundError: If they stand on a program's own ground, and it fails; nothing has moved
+                then.
         """
         if not (0.0 <= dt < float("inf")):
             raise ArgumentError(f"dt is {dt} s; it must be finite and >= 0")
         self._refresh()
-        left = float(dt)
+        if all(isinstance(ground, BuiltGround) for ground in self._grounds):
+            self._pass(float(dt))
+            return
+        steps = self._sampled_grounds(float(dt))
+        for grounds in steps:
+            self._packed_grounds = grounds
+            self._pass(dt / len(steps))
+
+    def _pass(self, left: float) -> None:
+        """Let a time pass on the grounds as they are packed."""
         while left > FINEST and self._steered():
             self._step(FINEST)
             left -= FINEST
@@ -195,11 +205,6 @@ class Crowd(Standing, Remembering, Populating):
     def rig(self) -> Rig:
         """The body of the first cohort as the kernels take it."""
         return self._bodies.all[0].rig
-
-    @property
-    def packed_ground(self) -> Ground:
-        """What the first cohort stands on, as the kernels take it."""
-        return self._packed_grounds[self._cohorts[0].span.ground]
 
     @property
     def poses(self) -> SmallFloats:

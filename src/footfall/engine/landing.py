@@ -9,7 +9,8 @@ from __future__ import annotations
 
 import math
 
-from footfall.adaptation.surfaces import SLOPE, Ground, probe
+from footfall.adaptation.surface_record import SLOPE, Ground
+from footfall.adaptation.surfaces import carry, probe
 from footfall.arrays import SmallFloats
 from footfall.compilation import small_kernel
 from footfall.engine.feet import carries
@@ -118,30 +119,39 @@ def _choose_place(ground: Ground, rig: Rig, me: Character, side: int) -> None:
     leg, root, points = rig.leg_length, me.root, me.foreseen_points[side]
     heel = transforms.apply(root[0], root[1], root[2], leg * points[0, 0], leg * points[0, 2])
     toe = transforms.apply(root[0], root[1], root[2], leg * points[1, 0], leg * points[1, 2])
+    landing = me.landing[side]
+    # What is stood on takes the root along until then, and other surfaces go their own way.
+    when, taken = me.clock + me.landing_time[side], me.surface[1 - side]
+    hx, rise, hz, _ = carry(ground, taken, heel[0], heel[1], me.clock, when)
+    tx, _, tz, _ = carry(ground, taken, toe[0], toe[1], me.clock, when)
+    heel, toe = (heel[0] + hx, heel[1] + hz), (toe[0] + tx, toe[1] + tz)
     dx, dz = toe[0] - heel[0], toe[1] - heel[1]
     length = math.sqrt(dx * dx + dz * dz)
     if length < 1e-6:
         dx, dz, length = math.sin(root[2]), math.cos(root[2]), 1.0
     way = (dx / length, dz / length)
-    landing = me.landing[side]
     if ground.surfaces.shape[0] > 1 or ground.surfaces[0].kind != SLOPE:
         led = landing[0] * way[0] + landing[1] * way[1]
-        led = _nearest_place(ground, me, side, heel, way, length, led)
+        led = _nearest_place(ground, me, side, when, heel, way, length, led)
         landing[0], landing[1] = led * way[0], led * way[1]
     x, z = landing[0], landing[1]
-    one = probe(ground, heel[0] + x, heel[1] + z, me.clock).height
-    other = probe(ground, toe[0] + x, toe[1] + z, me.clock).height
+    one = probe(ground, heel[0] + x, heel[1] + z, when).height - rise
+    other = probe(ground, toe[0] + x, toe[1] + z, when).height - rise
     landing[2] = 0.5 * (one + other)
-    if x == 0.0 and z == 0.0 and _is_on_the_way(me, side, (toe[0], toe[1]), other):
+    leads = _is_on_the_way(me, side, 0, heel, one) and _is_on_the_way(me, side, 1, toe, other)
+    if x == 0.0 and z == 0.0 and leads:
         me.landing_time[side] = -1.0
 
 
 @small_kernel
-def _is_on_the_way(me: Character, side: int, toe: tuple[float, float], height: float) -> bool:
-    """Return whether the slope under a foot leads to where it lands: then nothing is in its way."""
-    place, offset, slope = me.world_points[side, 1], me.foot_offset[side], me.ground_slope[side]
-    rise = slope[0] * (toe[0] - place[0] - offset[0]) + slope[1] * (toe[1] - place[2] - offset[2])
-    return abs(me.foot_ground[side, 1] + rise - height) < DOWN
+def _is_on_the_way(
+    me: Character, side: int, point: int, lands: tuple[float, float], height: float
+) -> bool:
+    """Return whether the slope under heel or toe leads to where it lands: nothing is between."""
+    place, offset, slope = me.world_points[side, point], me.foot_offset[side], me.ground_slope[side]
+    x, z = lands[0] - place[0] - offset[0], lands[1] - place[2] - offset[2]
+    rise = slope[0] * x + slope[1] * z
+    return abs(me.foot_ground[side, point] + rise - height) < DOWN
 
 
 @small_kernel
@@ -149,6 +159,7 @@ def _nearest_place(
     ground: Ground,
     me: Character,
     side: int,
+    when: float,
     heel: tuple[float, float],
     way: tuple[float, float],
     length: float,
@@ -156,16 +167,16 @@ def _nearest_place(
 ) -> float:
     """Return how far ahead of where it would land a foot finds a place without an edge [m]."""
     middle = (heel[0] + 0.5 * length * way[0], heel[1] + 0.5 * length * way[1])
-    down = probe(ground, middle[0], middle[1], me.clock).height < me.ground_below[side] - DOWN
+    down = probe(ground, middle[0], middle[1], when).height < me.ground_below[side] - DOWN
     tries = int(FARTHEST / STEP)
     # A place that was found is kept as long as it will do: a foot that hesitates comes to neither.
-    if led != 0.0 and _is_even(ground, me.clock, heel, way, length, led, KEPT):
+    if led != 0.0 and _is_even(ground, when, heel, way, length, led, KEPT):
         return led
     for attempt in range(0 if down else 1, len(MARGINS)):
         margins = MARGINS[attempt]
         for step in range(2 * tries + 1):
             ahead = STEP * ((step + 1) // 2) * (1.0 if step % 2 == 1 else -1.0)
-            if _is_even(ground, me.clock, heel, way, length, ahead, margins):
+            if _is_even(ground, when, heel, way, length, ahead, margins):
                 return ahead
     return 0.0
 

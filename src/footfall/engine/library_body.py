@@ -9,7 +9,13 @@ from typing import Any
 from footfall.arrays import Floats, SmallFloats
 from footfall.engine.action import Action, check_supports
 from footfall.engine.layer import Layer
-from footfall.engine.packing import PackedClip, carrying_feet, pack_clip, pack_standing
+from footfall.engine.packing import (
+    PackedClip,
+    carrying_feet,
+    pack_clip,
+    pack_standing,
+    rest_alike,
+)
 from footfall.errors import ArgumentError, SkeletonError, UnknownNameError
 from footfall.motion import Clip, with_soles
 from footfall.motion.retargeting import map_clip, retarget
@@ -113,7 +119,8 @@ class LibraryBody:
         packed = pack_clip(clip, resized(self.anatomy, 1.0 / size), supports)
         if self._standing is None:
             self._stand_like(packed)
-        return clip, packed
+        assert self._resting is not None
+        return clip, rest_alike(packed, self._resting)
 
     def _size_beside(self, skeleton: Skeleton) -> float:
         """Return how long the legs of this library's body are, beside those of another one."""

@@ -10,11 +10,11 @@ from footfall.arrays import Flags, Floats, Positions, Rotations, SmallFloats
 from footfall.geometry import conjugate, multiply
 from footfall.motion import Clip, extract_root_path
 from footfall.skeleton import Anatomy
-from footfall.skeleton.normalized import ANKLES, channel_count, normalize
+from footfall.skeleton.normalized import ANKLES, EFFECTORS, channel_count, normalize
 from footfall.skeleton.rig import Rig, rig_of
 from footfall.support import SupportSequence
 
-__all__ = ["PackedClip", "carrying_feet", "pack_clip", "pack_standing"]
+__all__ = ["PackedClip", "carrying_feet", "pack_clip", "pack_standing", "rest_alike"]
 
 RESTING_SHARE = 15.0
 """Percentile of a foot point's heights, while the foot carries, that is its height at rest:
@@ -67,6 +67,25 @@ def pack_clip(clip: Clip, anatomy: Anatomy, supports: SupportSequence) -> Packed
         floor,
         rig.leg_length,
     )
+
+
+def rest_alike(packed: PackedClip, resting: Floats) -> PackedClip:
+    """Return a clip whose feet rest as high as those of others, each raised as a whole.
+
+    Captured floors are not quite level: a foot rests some millimeters higher in one clip than in
+    another, and higher than the other foot. It would hover where the clips are mixed.
+
+    Args:
+        packed: The clip.
+        resting: How high heel and toe of each foot rest in the others, shape (2, 2).
+    """
+    rise = (resting - packed.resting_heights).mean(axis=1)
+    if not rise.any():
+        return packed
+    keys = packed.keys.copy()
+    for side in range(2):
+        keys[:, keys.shape[1] - EFFECTORS + ANKLES + 3 * side + 1] += rise[side]
+    return packed._replace(keys=keys, resting_heights=packed.resting_heights + rise[:, np.newaxis])
 
 
 def carrying_feet(clip: Clip, supports: SupportSequence) -> Flags:

@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy.typing as npt
 
-from footfall.adaptation.surfaces import Ground
+from footfall.adaptation.surface_record import Ground
 from footfall.arrays import SmallFloats
 from footfall.compilation import inlined_kernel, lean_kernel, small_kernel
 from footfall.engine.clock import pass_time

@@ -11,6 +11,7 @@ from footfall.adaptation.pelvis import FALL_SPEED, RISE_SPEED, needed_drop
 from footfall.arrays import Positions, Rotations, SmallFloats
 from footfall.blending.root import mix_point
 from footfall.compilation import lean_kernel, small_kernel
+from footfall.engine.foot_turns import foot_rotation
 from footfall.engine.record import NO_REACHING, Character
 from footfall.engine.state import Workspace
 from footfall.geometry import quaternions, transforms
@@ -25,13 +26,17 @@ from footfall.skeleton.octet_poses import (
 )
 from footfall.skeleton.rig import Rig
 
-__all__ = ["STEP", "aim_body", "place_bodies", "world_poses_of"]
+__all__ = ["STEP", "aim_body", "place_bodies", "reach_footprints", "world_poses_of"]
 
 STEP, HEIGHT, DROP, DROP_SPEED, REACHES, ANKLE, OFFSET = 0, 1, 2, 3, 4, 5, 11
 """Rows of `Workspace.aims`: the time step [s], less than 0 for a row that is left out; the pelvis'
 height over the root, how far it is lowered and how fast
 that changes [m], [m/s]; whether the legs reach at all; the ankles of the blended pose and how far
 footprints move them, three numbers a foot [m]."""
+
+
+AGES = 10.0
+"""A time in which every spring comes to rest [s]."""
 
 
 @small_kernel
@@ -43,6 +48,9 @@ def aim_body(rig: Rig, me: Character, work: Workspace, lane: int) -> None:
     aims[REACHES, lane] = 1.0 if me.synchronized and me.detail != NO_REACHING else 0.0
     if not me.synchronized:
         return
+    if me.placed:
+        # The pelvis of a body that was put somewhere is at once where its legs need it.
+        aims[STEP, lane] = AGES
     for side in range(2):
         ankle = (
             leg * me.effectors[1 + 3 * side],
@@ -61,7 +69,7 @@ def aim_body(rig: Rig, me: Character, work: Workspace, lane: int) -> None:
 def _placed_ankle(
     rig: Rig, me: Character, blended: SmallFloats, side: int, ankle: tuple[float, float, float]
 ) -> tuple[float, float, float]:
-    """Tilt a foot about the middle of its sole as the ground is, and put it on its footprint.
+    """Turn and tilt a foot about the middle of its sole, and put it on its footprint.
 
     Returns:
         Where its ankle then is, relative to the root [m].
@@ -70,13 +78,13 @@ def _placed_ankle(
     offset = me.foot_offset[side]
     cosine, sine = me.facing[0], -me.facing[1]
     x, z = transforms.turn(cosine, sine, offset[0], offset[2])
-    if me.tilt[side, 0] == 0.0 and me.tilt[side, 1] == 0.0:
+    if me.tilt[side, 0] == 0.0 and me.tilt[side, 1] == 0.0 and not me.twisted:
         return ankle[0] + x, ankle[1] + offset[1], ankle[2] + z
     px = leg * mix_point(me.points, side, 0.5, 0)
     py = leg * mix_point(me.points, side, 0.5, 1)
     pz = leg * mix_point(me.points, side, 0.5, 2)
     slope_x, slope_z = transforms.turn(cosine, sine, me.tilt[side, 0], me.tilt[side, 1])
-    q = quaternions.between(0.0, 1.0, 0.0, -slope_x, 1.0, -slope_z)
+    q = foot_rotation(me, side, slope_x, slope_z)
     ax, ay, az = quaternions.rotate(
         q[0], q[1], q[2], q[3], ankle[0] - px, ankle[1] - py, ankle[2] - pz
     )
@@ -131,6 +139,12 @@ def _place_all(rig: Rig, work: Workspace, poses: SmallFloats, block: int) -> Non
     for row in range(0, stride - LANES, LANES):
         transpose(work.blended, row, stride, work.local, row * LANES)
     place_chains(rig, work.local, load(work.aims, HEIGHT * LANES), poses, block)
+    reach_footprints(rig, work, poses, block)
+
+
+@small_kernel
+def reach_footprints(rig: Rig, work: Workspace, poses: SmallFloats, block: int) -> None:
+    """Lower eight pelvises as far as their legs need, and let the legs reach their footprints."""
     reaches = load(work.aims, REACHES * LANES) > 0.5
     drop = _lower_pelvis(rig, work.aims, poses, block, reaches)
     lower_bodies(poses, block, drop)

@@ -95,6 +95,8 @@ class Populating(ABC):
         if count < 0:
             raise ArgumentError(f"{count} characters to spawn; it must be at least 0")
         born = np.repeat(self._newborn, count)
+        # It is as late for them as for those who are here: ground that moves is where it is.
+        born["clock"] = self._characters["clock"][self.present].max(initial=0.0)
         place_characters(born, np.arange(count), position, heading)
         kind = self._bodies.index_of(body)
         floor = 0 if ground is None else self._stand_on(ground)

@@ -13,6 +13,7 @@ from footfall.blending.poses import Layers, blend_layers
 from footfall.blending.root import correct_displacement, foot_slide
 from footfall.compilation import small_kernel
 from footfall.engine.feet import carries
+from footfall.engine.foot_turns import steered_turn
 from footfall.engine.record import SEATS, Character
 from footfall.engine.shelf import Shelf, key_at, read_points, travel
 from footfall.engine.state import RUNNING, Workspace
@@ -98,7 +99,7 @@ def _add_way(shelf: Shelf, me: Character, seat: int, points: SmallFloats) -> Non
 @small_kernel
 def move_root(rig: Rig, me: Character, dt: float) -> None:
     """Move the root as the motions do, corrected so that the carrying feet stay (stage 6)."""
-    step_x, step_z, turn = me.way[0], me.way[1], me.way[2]
+    step_x, step_z, turn = me.way[0], me.way[1], steered_turn(me, dt)
     _choose_points(rig, me, dt)
     if me.synchronized and not me.fresh:
         step_x, step_z = _corrected(me, step_x, step_z, turn)

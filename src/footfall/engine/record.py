@@ -63,6 +63,12 @@ class Character(Feet):
     placed: bool
     """Whether it was put somewhere since the pose shown last: there are no footprints then."""
 
+    steered: bool
+    """Whether the root turns as `steer` says, whatever the motions do."""
+
+    twisted: bool
+    """Whether a foot is turned against its motion, or is going to be."""
+
     layered: bool
     """Whether anything is laid over what plays."""
 
@@ -232,6 +238,13 @@ class Character(Feet):
 
     votes: Annotated[Seconds, SEATS]
     """Their votes [s], shape (seats,)."""
+
+    steer: float
+    """How fast the root turns to the left where it is steered [rad/s]."""
+
+    foot_turn: Annotated[Floats, 2, 2]
+    """How far each foot is turned to the left against its motion, for it stays as it was planted
+    while the root is steered [rad], and how fast that changes [rad/s], shape (2, 2)."""
 
     layers: Annotated[LayerSeats, layer_seat_type, LAYERS]
     """What is laid over what plays: records of `LayerSeat`, shape (layers,)."""

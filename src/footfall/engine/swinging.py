@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from footfall.adaptation.footprints import LIFT_SPEED
-from footfall.adaptation.surfaces import Ground, probe
+from footfall.adaptation.surface_record import Ground
+from footfall.adaptation.surfaces import probe
 from footfall.compilation import small_kernel
 from footfall.engine.landing import STEEPEST
 from footfall.engine.record import Character

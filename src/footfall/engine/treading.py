@@ -7,23 +7,28 @@ import math
 from footfall.adaptation.footprints import (
     GRIP_TIME,
     approach,
+    gentle_spring,
     hold_foot,
     release_foot,
-    spring,
 )
-from footfall.adaptation.surfaces import Ground, carry, probe
+from footfall.adaptation.surface_record import Ground
+from footfall.adaptation.surfaces import carry, is_level, probe
 from footfall.blending.root import mix_point
 from footfall.compilation import small_kernel
-from footfall.engine.feet import carries, stand_level
+from footfall.engine.feet import carries
+from footfall.engine.foot_turns import turn_foot
 from footfall.engine.record import Character
+from footfall.engine.sole_points import move_points
 from footfall.engine.swinging import rise_below, swing_goal
-from footfall.geometry import quaternions, transforms
 from footfall.skeleton.rig import Rig
 
 __all__ = ["keep_footprints", "ride"]
 
-LEVEL_SPEED = 10.0
+LEVEL_SPEED = 12.0
 """Of the spring with which the root follows the ground under its feet [1/s]."""
+
+LEVEL_HARDEST = 20.0
+"""The most by which it is accelerated so [m/s²]."""
 
 HIGHEST_OVER = 0.1
 """Most that it is over the lower of them, on level treads [m]."""
@@ -31,10 +36,13 @@ HIGHEST_OVER = 0.1
 HIGHER_ON_SLOPES = 0.2
 """How much more that is for each meter that the ground rises per meter [m]."""
 
+FASTEST_SWELL = 2.0
+"""Ground that rises or sinks faster than this has been exchanged for another [m/s]."""
+
 TILT_TIME = 0.04
 """Time constant with which a sole takes the slope of the ground [s]."""
 
-TILT_HEIGHT = 0.08
+TILT_HEIGHT = 0.25
 """Height over the ground from which a swinging foot is not tilted [m]."""
 
 
@@ -54,7 +62,14 @@ def ride(ground: Ground, me: Character, dt: float) -> None:
         me.root[0] += x / feet
         me.root[1] += z / feet
         me.root[2] += turn / feet
-        _raise_level(me, y / feet)
+        rise = y / feet
+        me.level[0] += rise
+        for side in range(2):
+            if carries(me.support, side):
+                me.foot_offset[side, 1] -= rise
+            else:
+                # A swinging foot goes along, as if the ground under it rose as much.
+                me.ground_below[side] += rise
 
 
 @small_kernel
@@ -69,17 +84,20 @@ def _raise_level(me: Character, rise: float) -> None:
 def keep_footprints(ground: Ground, rig: Rig, me: Character, dt: float) -> None:
     """Hold the carrying feet where they are, let go of the others (stage 7)."""
     for side in range(2):
-        slide_x, slide_z = _move_points(rig, me, side, dt)
         planted = carries(me.support, side)
+        if me.twisted:
+            turn_foot(me, side, planted, _grip(me, side), dt)
+        slide_x, slide_z = move_points(rig, me, side, dt)
         me.planted_time[side] = me.planted_time[side] + dt if planted else 0.0
         dx, dy, dz = _taken(ground, me, side, dt)
+        below = me.foot_ground[side, me.on_toes[side]]
         _feel(ground, rig, me, side, planted, dt)
         if not me.printed or me.placed:
             continue
         offset, velocity = me.foot_offset[side], me.foot_velocity[side]
         needed = _needed_height(rig, me, side)
         if planted:
-            offset[1] += dy
+            offset[1] += dy + _swelled(ground, me, side, below + dy, dt)
             slide = (slide_x - dx, slide_z - dz)
             hold_foot(offset, velocity, slide, needed, _grip(me, side), dt)
         else:
@@ -87,57 +105,24 @@ def keep_footprints(ground: Ground, rig: Rig, me: Character, dt: float) -> None:
             goal, speed = swing_goal(ground, me, side)
             release_foot(offset, velocity, goal, needed, speed, dt)
     _follow_ground(me, dt)
+    if me.placed and me.printed and not is_level(ground):
+        _put_down(ground, rig, me)
 
 
 @small_kernel
-def _move_points(rig: Rig, me: Character, side: int, dt: float) -> tuple[float, float]:
-    """Find heel and toe in the world; return how far that moved the carrying point [m]."""
-    share = me.toe_shares[side]
-    old_x = mix_point(me.world_points, side, share, 0)
-    old_z = mix_point(me.world_points, side, share, 2)
-    toe_x, toe_z = me.world_points[side, 1, 0], me.world_points[side, 1, 2]
-    _tilt_points(rig, me, side)
-    if dt > 0.0 and not me.placed:
-        me.toe_velocity[side, 0] = (me.world_points[side, 1, 0] - toe_x) / dt
-        me.toe_velocity[side, 1] = (me.world_points[side, 1, 2] - toe_z) / dt
-    return (
-        mix_point(me.world_points, side, share, 0) - old_x,
-        mix_point(me.world_points, side, share, 2) - old_z,
-    )
-
-
-@small_kernel
-def _tilt_points(rig: Rig, me: Character, side: int) -> None:
-    """Write heel and toe in the world, the sole tilted about its middle as the ground is."""
-    root, leg, points = me.root, rig.leg_length, me.points[side]
-    if me.foot_slope[side, 0] == 0.0 and me.foot_slope[side, 1] == 0.0:
-        stand_level(rig, me, side)
-        return
-    me.tilt[side, 0], me.tilt[side, 1] = me.foot_slope[side, 0], me.foot_slope[side, 1]
-    w, qx, qy, qz = quaternions.between(0.0, 1.0, 0.0, -me.tilt[side, 0], 1.0, -me.tilt[side, 1])
-    for point in range(2):
-        # Half of the sole, from its middle to this point.
-        other = points[1 - point]
-        x, z = transforms.apply(
-            0.0,
-            0.0,
-            root[2],
-            0.5 * leg * (points[point, 0] - other[0]),
-            0.5 * leg * (points[point, 2] - other[2]),
-        )
-        y = 0.5 * leg * (points[point, 1] - other[1])
-        mx, mz = transforms.apply(
-            root[0],
-            root[1],
-            root[2],
-            0.5 * leg * (points[point, 0] + other[0]),
-            0.5 * leg * (points[point, 2] + other[2]),
-        )
-        tx, ty, tz = quaternions.rotate(w, qx, qy, qz, x, y, z)
-        me.world_points[side, point, 0] = mx + tx
-        me.world_points[side, point, 1] = 0.5 * leg * (points[point, 1] + other[1]) + ty
-        me.world_points[side, point, 2] = mz + tz
-        me.tilt_rise[side, point] = ty - y
+def _put_down(ground: Ground, rig: Rig, me: Character) -> None:
+    """Put the feet of a character that was put somewhere on the ground there, tilted as it is."""
+    for side in range(2):
+        planted = carries(me.support, side)
+        move_points(rig, me, side, 0.0)
+        _feel(ground, rig, me, side, planted, 0.0)
+        move_points(rig, me, side, 0.0)
+    _follow_ground(me, 0.0)
+    for side in range(2):
+        height = _needed_height(rig, me, side)
+        if not carries(me.support, side):
+            height = max(height, me.ground_below[side] - me.level[0])
+        me.foot_offset[side, 1] = height
 
 
 @small_kernel
@@ -153,6 +138,23 @@ def _taken(ground: Ground, me: Character, side: int, dt: float) -> tuple[float, 
     me.carried[side, 1] += dy
     me.carried[side, 2] += dz
     return dx, dy, dz
+
+
+@small_kernel
+def _swelled(ground: Ground, me: Character, side: int, below: float, dt: float) -> float:
+    """Return how far ground whose heights change has risen under a foot that carries [m].
+
+    Args:
+        ground: The ground as it is now.
+        me: The character.
+        side: Which foot.
+        below: How high the ground under the point that carries would be, had it not changed [m].
+        dt: Time step [s].
+    """
+    if ground.even or me.planted_time[side] <= dt:
+        return 0.0
+    rise = me.foot_ground[side, me.on_toes[side]] - below
+    return rise if abs(rise) <= FASTEST_SWELL * dt else 0.0
 
 
 @small_kernel
@@ -175,7 +177,7 @@ def _feel(ground: Ground, rig: Rig, me: Character, side: int, planted: bool, dt:
     share = 1.0
     if planted or me.placed:
         me.ground_below[side] = 0.5 * (me.foot_ground[side, 0] + me.foot_ground[side, 1])
-    else:
+    if not planted:
         low = rig.leg_length * min(me.heights[side, 0], me.heights[side, 1])
         share = min(max(1.0 - low / TILT_HEIGHT, 0.0), 1.0)
     goal_x, goal_z = share * slope_x, share * slope_z
@@ -222,15 +224,20 @@ def _follow_ground(me: Character, dt: float) -> None:
     down, it sinks before the other one lands.
     """
     low, high = _ground_of(me, 0), _ground_of(me, 1)
+    lower = 0
     if low > high:
         low, high = high, low
+        lower = 1
     steepest = 0.0
     for side in range(2):
         slope = me.ground_slope[side]
         steepest = max(steepest, math.sqrt(slope[0] * slope[0] + slope[1] * slope[1]))
-    goal = low + min(0.5 * (high - low), HIGHEST_OVER + HIGHER_ON_SLOPES * steepest)
+    # A body goes down on the leg that stands, before the other one lands.
+    over = 0.0 if me.landing_time[lower] >= 0.0 else HIGHEST_OVER
+    goal = low + min(0.5 * (high - low), over + HIGHER_ON_SLOPES * steepest)
     if me.placed:
         me.level[0], me.level[1] = goal, 0.0
         return
-    level, me.level[1] = spring(me.level[0], me.level[1], goal, LEVEL_SPEED, dt)
+    level, speed = me.level[0], me.level[1]
+    level, me.level[1] = gentle_spring(level, speed, goal, LEVEL_SPEED, LEVEL_HARDEST, dt)
     _raise_level(me, level - me.level[0])

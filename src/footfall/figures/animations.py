@@ -12,8 +12,8 @@ from footfall.figures.changing_ground import FPS, walk_on_hills
 from footfall.figures.comparison import comparison_performances
 from footfall.figures.delays import delays_performances
 from footfall.figures.ground_scene import with_ground
+from footfall.figures.path_walk import walk_and_turn
 from footfall.figures.performing import Cues, perform_cues
-from footfall.figures.turning_walk import walk_and_turn
 from footfall.io import save_gltf, write_atomically
 from footfall.report import measure, performance_trace
 from footfall.scenario.performance import Performance, support_text

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Callable
+from dataclasses import dataclass, replace
 from functools import lru_cache
 
 import numpy as np
 
-from footfall.adaptation import HeightField, ground_heights
+from footfall.adaptation import AnyGround, HeightField, Plane, ground_heights
 from footfall.arrays import Floats
 from footfall.detection.tracks import points_of_pose
 from footfall.engine import Character, Recorder
@@ -17,7 +18,7 @@ from footfall.figures.figure import LEFT, TOP, WIDTH, Figure, begin_sheet
 from footfall.figures.silhouettes import Silhouettes
 from footfall.figures.way import Way, apart
 from footfall.motion import with_soles
-from footfall.report import MethodReport, Trace, measure, recording_trace
+from footfall.report import MethodReport, Trace, Track, measure, recording_trace
 from footfall.skeleton import find_anatomy
 from footfall.view.svg import Picture
 
@@ -109,17 +110,22 @@ class WalkedGround:
 def walk_on_hills(cast: Cast, *, moving: bool) -> WalkedGround:
     """Let a character walk over hills that stand still, or change all the time."""
     hills = Hills(moving)
+    recording = _performed(cast, hills.at)
+    trace = _trace(recording, hills.at, cast, _resting_levels(cast))
+    return WalkedGround(hills, recording, trace, measure(trace))
+
+
+def _performed(cast: Cast, ground: Callable[[float], AnyGround]) -> Recording:
+    """Play the cues on a ground that is exchanged wherever it is another one."""
     walk = cast.motion("walk")
-    hero = Character(walk.clip.skeleton, ground=hills.at(0.0))
+    hero = Character(walk.clip.skeleton, ground=ground(0.0))
     for role in dict.fromkeys(role for _, _, role in CUES):
         motion = cast.motion(role)
         hero.add(role, motion.clip, motion.supports, priority=3.0 if role == "kick" else 1.0)
     recorder = Recorder(hero, FPS)
     for frame in range(int(DURATION * FPS) + 1):
-        time = frame / FPS
-        if moving and frame > 0:
-            hero.crowd.ground = hills.at(time)
         if frame > 0:
+            hero.crowd.ground = ground(frame / FPS)
             hero.advance(1.0 / FPS)
         for at, kind, role in CUES:
             if round(at * FPS) == frame:
@@ -127,23 +133,39 @@ def walk_on_hills(cast: Cast, *, moving: bool) -> WalkedGround:
         if frame == 0:
             hero.advance(0.0)
         recorder.keep()
-    recording = recorder.finish()
-    trace = _trace(recording, hills, cast)
-    return WalkedGround(hills, recording, trace, measure(trace))
+    return recorder.finish()
 
 
-def _trace(recording: Recording, hills: Hills, cast: Cast) -> Trace:
+@lru_cache(maxsize=2)
+def _resting_levels(cast: Cast) -> Floats:
+    """Return how high heel and toe are while they rest [m]: on level ground, where that is seen."""
+    plane = Plane()
+
+    def level(time: float) -> AnyGround:
+        del time
+        return plane
+
+    return Track.from_trace(_trace(_performed(cast, level), level, cast, None)).resting_levels
+
+
+def _trace(
+    recording: Recording,
+    ground: Callable[[float], AnyGround],
+    cast: Cast,
+    resting: Floats | None,
+) -> Trace:
     """Return the recording over the ground as it was at each moment."""
     walk = cast.motion("walk").clip
     anatomy = with_soles(find_anatomy(walk.skeleton), *walk.world_poses())
     points = points_of_pose(recording.world_rotations, recording.world_positions, anatomy)
     heights = np.stack(
         [
-            ground_heights(hills.at(frame / FPS), points[frame], np.zeros((2, 2)))
+            ground_heights(ground(frame / FPS), points[frame], np.zeros((2, 2)))
             for frame in range(len(points))
         ]
     )
-    return recording_trace(recording, anatomy, ground=heights)
+    trace = recording_trace(recording, anatomy, ground=heights)
+    return replace(trace, resting_levels=resting)
 
 
 def changing_ground_figure(cast: Cast) -> Figure:

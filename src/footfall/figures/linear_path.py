@@ -1,4 +1,4 @@
-"""Figure 15: side step, walk and back walk are mixed, so that a turning body keeps to a line."""
+"""Figure 15: side step, walk and back walk are mixed, so that a path is kept whatever is faced."""
 
 from __future__ import annotations
 
@@ -7,17 +7,14 @@ import math
 import numpy as np
 
 from footfall.arrays import Floats
-from footfall.figures.arrows import draw_arrow
 from footfall.figures.axes import Axes
 from footfall.figures.cast import Cast
 from footfall.figures.figure import LEFT, TOP, WIDTH, Figure, begin_sheet
+from footfall.figures.path_walk import ROLES, PathWalk, follow_curve, walk_and_turn
+from footfall.figures.seen_from_above import draw_seen_from_above
 from footfall.figures.silhouettes import Silhouettes
-from footfall.figures.turning_walk import ROLES, TurningWalk, walk_and_turn
 from footfall.figures.way import Way, apart
-from footfall.report import Track
-from footfall.view.foot_traces import shoe_outline
-from footfall.view.palette import BODY, FOOT_COLORS, SUPPORT_COLORS
-from footfall.view.plants import plants
+from footfall.view.palette import SUPPORT_COLORS
 from footfall.view.svg import Picture
 from footfall.view.text_width import text_width
 
@@ -27,8 +24,8 @@ CLAIM = (
     "Dynamic blending and synchronization: a side step motion and a front/back walk, in order to "
     "force the avatar’s displacement on a linear path whatever its local orientation."
 )
-_TURN = np.linspace(0.0, 2.0 * np.pi, 25)[:-1]
-_CIRCLE = np.column_stack([np.cos(_TURN), np.sin(_TURN)])
+CURVE_HEIGHT = 300.0
+"""Of the panel with the curved path."""
 
 FILLS = (SUPPORT_COLORS["R"], SUPPORT_COLORS["D"], SUPPORT_COLORS["L"])
 """Of the parts, in their order."""
@@ -40,31 +37,39 @@ def linear_path_figure(cast: Cast) -> Figure:
     title = "On a linear path, whatever the body faces"
     note = (
         "The character turns round while walk, side step and back walk are mixed so that it "
-        "keeps to the line; from the side, from above, and the shares"
+        "keeps to the line; from the side and from above, the shares; below, round a circle"
     )
     way = Way.of([walked.trace], tallest=290.0)
     base = TOP + way.height + 14.0
     above = base + 128.0
-    picture = begin_sheet(15, title, note, above + 234.0)
+    curved = follow_curve(cast)
+    picture = begin_sheet(15, title, note, above + 254.0 + CURVE_HEIGHT)
     picture.line(LEFT, base, WIDTH - LEFT, base, class_="softpen", stroke_width=1.2)
     silhouettes = Silhouettes(walked.trace, walked.recording.skeleton, way, base)
     for frame in apart(way, walked.trace, 0.42, 1.2):
         silhouettes.draw(picture, frame)
     _draw_from_above(picture, way, walked, above)
     _draw_shares(picture, way, walked, above + 112.0)
-    away = np.abs(walked.roots[:, 0])
+    _draw_curve(picture, curved, above + 234.0)
+    away, away_round = (
+        100.0 * float(np.percentile(np.abs(one.away), 95)) for one in (walked, curved)
+    )
     turn = math.degrees(float(np.ptp(walked.headings)))
     slip = walked.report.slip.overall
+    turned = math.degrees(float(np.abs(curved.headings).max()))
     facts = (
         f"The body turns by {turn:.0f}° over {float(np.ptp(walked.roots[:, 1])):.1f} m; "
-        f"its root leaves the line by at most {100.0 * float(away.max()):.1f} cm.",
+        f"for 95 % of the time its root is within {away:.1f} cm of the line.",
         f"Planted feet slip {slip.median or 0.0:.1f} mm in the median, "
         f"95 % of them at most {slip.p95 or 0.0:.1f} mm.",
+        f"Round most of a circle, facing one way within {turned:.0f}°, it is within "
+        f"{away_round:.1f} cm of the path, and 95 % of the feet slip at most "
+        f"{curved.report.slip.overall.p95 or 0.0:.1f} mm.",
     )
     return Figure(15, "linear_path", title, CLAIM, facts, picture.to_svg())
 
 
-def _draw_from_above(picture: Picture, way: Way, walked: TurningWalk, middle: float) -> None:
+def _draw_from_above(picture: Picture, way: Way, walked: PathWalk, middle: float) -> None:
     """Draw the line, the prints of the feet, the way of the body and where it faces."""
 
     def at(points: Floats) -> list[tuple[float, float]]:
@@ -74,32 +79,33 @@ def _draw_from_above(picture: Picture, way: Way, walked: TurningWalk, middle: fl
 
     picture.rectangle(LEFT, middle - 96, WIDTH - 2 * LEFT, 192, rx=6, class_="panel")
     picture.line(LEFT, middle, WIDTH - LEFT, middle, class_="softpen", stroke_dasharray="2 5")
-    for plant in plants(Track.from_trace(walked.trace)):
-        picture.area(at(shoe_outline(plant.print)), fill=FOOT_COLORS[plant.foot], fill_opacity=0.75)
-    ground = np.array([1.0, 0.0, 1.0])
-    picture.path(at(walked.trace.positions[::2, 0] * ground), stroke=BODY, stroke_width=1.8)
-    for frame in apart(way, walked.trace, 0.42, 1.2):
-        place = walked.trace.positions[frame, 0] * ground
-        heading = float(walked.headings[frame])
-        ahead = np.array([math.sin(heading), 0.0, math.cos(heading)])
-        aside = np.array([ahead[2], 0.0, -ahead[0]])
-        picture.area(at(place + 0.2 * _CIRCLE @ np.array([aside, 0.4 * ahead])), fill=BODY)
-        picture.area(at(place + 0.08 * _CIRCLE @ np.array([aside, ahead])), class_="ink")
-        start, end = at(place + np.array([0.08, 0.36])[:, np.newaxis] * ahead)
-        draw_arrow(picture, start, end, width=2.2)
+    draw_seen_from_above(picture, at, walked, apart(way, walked.trace, 0.42, 1.2))
 
 
-def _draw_shares(picture: Picture, way: Way, walked: TurningWalk, top: float) -> None:
+def _draw_curve(picture: Picture, walked: PathWalk, top: float) -> None:
+    """Draw a curved path from above, in the middle of its panel."""
+    picture.rectangle(LEFT, top, WIDTH - 2 * LEFT, CURVE_HEIGHT, rx=6, class_="panel")
+    low, high = walked.path.min(axis=0) - 0.5, walked.path.max(axis=0) + 0.5
+    scale = CURVE_HEIGHT / float(high[0] - low[0])
+    left = 0.5 * (WIDTH - scale * float(high[1] - low[1]))
+
+    def at(points: Floats) -> list[tuple[float, float]]:
+        # Ahead is to the right, the left side up, as in the picture above.
+        x, y = left + scale * (points[:, 2] - low[1]), top + scale * (high[0] - points[:, 0])
+        return list(zip(x.tolist(), y.tolist(), strict=True))
+
+    path = np.column_stack([walked.path[:, 0], np.zeros(len(walked.path)), walked.path[:, 1]])
+    picture.path(at(path), class_="softpen", stroke_dasharray="2 5")
+    steps = np.linalg.norm(np.diff(walked.roots, axis=0), axis=1).cumsum()
+    frames = [int(np.searchsorted(steps, gone)) for gone in np.arange(0.1, steps[-1], 0.7)]
+    draw_seen_from_above(picture, at, walked, frames)
+
+
+def _draw_shares(picture: Picture, way: Way, walked: PathWalk, top: float) -> None:
     """Draw the shares of the parts, one on the other, under where the body was."""
     recording = walked.recording
     names = list(recording.actions)
-    shares = np.stack(
-        [
-            recording.shares[:, names.index(role)]
-            + recording.shares[:, names.index(f"{role}, turning")]
-            for role in ROLES
-        ]
-    )
+    shares = np.stack([recording.shares[:, names.index(role)] for role in ROLES])
     along = np.maximum.accumulate(way.stage.along(walked.trace.positions[:, 0]))
     axes = Axes(
         way.x(float(along[0])),

@@ -13,6 +13,9 @@ from footfall.skeleton import Skeleton, world_poses
 
 __all__ = ["Clip"]
 
+FARTHEST = 1e6
+"""How far from the origin a body may be [m]: farther away no number tells its feet apart."""
+
 
 @dataclass(frozen=True, eq=False)
 class Clip:
@@ -23,8 +26,8 @@ class Clip:
 
     Raises:
         ClipError: If there are no frames, shapes disagree with the skeleton, a number is not
-            finite, a quaternion is not of unit length, the rate is not positive, or a cyclic
-            clip has a single frame.
+            finite, the pelvis is a thousand kilometers away, a quaternion is not of unit length,
+            the rate is not positive, or a cyclic clip has a single frame.
     """
 
     skeleton: Skeleton
@@ -60,6 +63,13 @@ class Clip:
             if not np.isfinite(array).all():
                 frame = int(np.argwhere(~np.isfinite(array))[0][0])
                 raise ClipError(f"clip {self.name!r}: a {label} in frame {frame} is not finite")
+        away = np.abs(positions).max(axis=1)
+        if away.max() > FARTHEST:
+            frame = int(np.argmax(away > FARTHEST))
+            raise ClipError(
+                f"clip {self.name!r}: the pelvis in frame {frame} is {away[frame]:g} m away; it "
+                f"must be within {FARTHEST:g} m, in meters"
+            )
         lengths = np.linalg.norm(rotations, axis=-1)
         if np.abs(lengths - 1.0).max() > 1e-6:
             frame, joint = (int(i) for i in np.argwhere(np.abs(lengths - 1.0) > 1e-6)[0])

@@ -11,6 +11,9 @@ from footfall.errors import SkeletonError, UnknownNameError
 
 __all__ = ["Skeleton"]
 
+LONGEST = 1e4
+"""How long a bone may be along an axis [m]."""
+
 
 @dataclass(frozen=True, eq=False)
 class Skeleton:
@@ -18,7 +21,7 @@ class Skeleton:
 
     Raises:
         SkeletonError: If there is no joint, names repeat, lengths disagree, a parent does not
-            precede its child, or a number is not finite.
+            precede its child, or a number is not finite or a bone ten kilometers long.
     """
 
     names: tuple[str, ...]
@@ -51,6 +54,13 @@ class Skeleton:
             if not np.isfinite(array).all():
                 joint = int(np.argwhere(~np.isfinite(array))[0][0])
                 raise SkeletonError(f"{name} of joint {self.names[joint]!r} is not finite")
+            longest = np.abs(array).max(axis=1)
+            if longest.max() > LONGEST:
+                joint = int(longest.argmax())
+                raise SkeletonError(
+                    f"{name} of joint {self.names[joint]!r} is {longest[joint]:g} m long; a bone "
+                    f"has at most {LONGEST:g} m, in meters"
+                )
         self._check_tree(parents)
         object.__setattr__(self, "parents", parents)
         object.__setattr__(self, "rest_offsets", offsets)

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
 from viser import FrameHandle, LineSegmentsHandle, MeshHandle, SceneApi
 
-from footfall.adaptation import AnyGround, HeightField, Plane, Platform, Terrain
+from footfall.adaptation import AnyGround, BuiltGround, HeightField, Plane, Platform, Terrain
 from footfall.arrays import Positions, Rotations
-from footfall.geometry import from_yaw, rotate
+from footfall.geometry import from_yaw, multiply, rotate
 from footfall.studio.crowd_figures import from_vertical
 from footfall.studio.ground_shapes import Part, frame_at, shape_of
 
@@ -65,7 +66,9 @@ class GroundFigures:
         """
         if ground is not self._ground:
             self._ground = ground
-            parts = ground.parts if isinstance(ground, Terrain) else (ground,)
+            # A program's own ground has no shape to draw but the plane below it.
+            own = not isinstance(ground, BuiltGround)
+            parts = () if own else ground.parts if isinstance(ground, Terrain) else (ground,)
             planes = [one for one in parts if isinstance(one, Plane)]
             self._plane = planes[0] if planes else Plane()
             slope = self._plane.slope
@@ -126,4 +129,9 @@ class GroundFigures:
 def _place(drawn: _Drawn, time: float) -> None:
     x, y, z, heading = frame_at(drawn.part, time)
     drawn.root.position = (x, y, z)
-    drawn.root.wxyz = from_yaw(heading)
+    turn = from_yaw(heading)
+    if isinstance(drawn.part, Platform) and any(drawn.part.tilt):
+        share = math.sin(math.tau * time / drawn.part.period)
+        normal = np.array([[-share * drawn.part.tilt[0], 1.0, -share * drawn.part.tilt[1]]])
+        turn = multiply(turn, from_vertical(normal / np.linalg.norm(normal))[0])
+    drawn.root.wxyz = turn
