@@ -263,3 +263,21 @@ def test_a_steered_character_turns_as_it_is_told_on_planted_feet() -> None:
         hero.advance(1.0 / FPS)
     assert hero.root[2] == pytest.approx(heading, abs=1e-6)
     assert not hero.crowd.characters[0]["twisted"]
+
+
+def test_a_row_of_a_crowd_with_another_body_follows_too() -> None:
+    library = ff.MotionLibrary()
+    library.add("walk", *ff.sample("walk"))
+    walk = ff.sample("walk")[0].skeleton
+    child = ff.Skeleton(walk.names, walk.parents, 0.6 * walk.rest_offsets, 0.6 * walk.tip_offsets)
+    crowd = ff.Crowd(library, 1)
+    row = int(crowd.spawn(1, body=child)[0])
+    follower = ff.PathFollower(crowd, row, [(0.0, 0.0), (0.0, 4.0)])
+    for _ in range(1200):
+        if follower.done:
+            break
+        follower.steer(1.0 / FPS)
+        crowd.advance(1.0 / FPS)
+    assert follower.done
+    x, z, _ = crowd.place_of(row)
+    assert math.dist((x, z), (0.0, 4.0)) < 0.3

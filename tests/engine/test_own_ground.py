@@ -205,7 +205,7 @@ def test_a_frame_that_is_none_is_refused() -> None:
         walker(Adrift()).advance(0.0)
     assert str(caught.value) == (
         "the frame of ground Adrift at 0.000 s is of shape (2,); it must be x, y, z and heading "
-        "(under character 0, standing)"
+        "(under character 0, 'walk')"
     )
 
 

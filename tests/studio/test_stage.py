@@ -128,8 +128,8 @@ def test_it_walks_over_whatever_is_put_ahead_of_it(tmp_path: Path, kind: GroundK
         lowest = min(lowest, float(clearances.min()))
         highest = max(highest, float(performer.heights(points).max()) - performer.floor)
     assert np.isfinite(performer.positions).all()
-    # A foot that rolls over the edge of a step or a plate is in it for a moment.
-    assert lowest > (-0.01 if kind in ("level", "ramp", "hills") else -0.06)
+    # A foot that rolls over an edge is in it for a moment: deep at a step, little at a ramp.
+    assert lowest > {"level": -0.01, "hills": -0.01, "ramp": -0.012}.get(kind, -0.06)
     assert (highest > 0.06) == (kind != "level")
     assert performer.slip.total < 0.06
 

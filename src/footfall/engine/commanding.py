@@ -30,6 +30,7 @@ from footfall.engine.shelf import Shelf
 from footfall.engine.state import Workspace
 from footfall.engine.workers import Workers
 from footfall.errors import ArgumentError
+from footfall.skeleton.rig import Rig
 from footfall.sync.refusal import Refusal
 from footfall.sync.search_memory import SearchMemories
 from footfall.sync.tables import Rules
@@ -213,10 +214,10 @@ class Commanding:
         """Memory of the planner."""
         return self._workers.search
 
-    @property
-    def workspace(self) -> Workspace:
-        """Memory to work in, that of the thread that gives commands, for the first body."""
-        return self._workers.workspaces(self._bodies.all[0].skeleton.count)[0]
+    def kernel_body_of(self, row: int) -> tuple[Shelf, Rig, Workspace]:
+        """Return the library as the kernels take it for the body of a row, the body, and memory."""
+        body = self._bodies.all[int(self._body_of_row[row])]
+        return body.shelf, body.rig, self._workers.workspaces(body.skeleton.count)[0]
 
     @property
     def rules(self) -> Rules:

@@ -10,6 +10,8 @@ from footfall.compilation import records
 from footfall.engine.commands import stop_rows
 from footfall.engine.crowd import Crowd
 from footfall.engine.pipeline import LONGEST_STEP, advance_blocks
+from footfall.octets import LANES
+from footfall.skeleton.octet_poses import PLACEMENT
 
 __all__ = ["stopping_place"]
 
@@ -27,18 +29,20 @@ def stopping_place(crowd: Crowd, row: int, actions: Sequence[int]) -> tuple[floa
     """
     tried = records(crowd.characters[[row]].copy())
     tried["steer"] = 0.0
-    poses = np.zeros_like(crowd.poses[:1])
+    shelf, rig, workspace = crowd.kernel_body_of(row)
+    ground = crowd.packed_ground_of(row)
+    poses = np.zeros((1, rig.parents.shape[0], PLACEMENT, LANES), dtype=np.float32)
     for action in actions:
-        stop_rows(crowd.shelf, tried, np.zeros(1, dtype=np.int64), action)
+        stop_rows(shelf, tried, np.zeros(1, dtype=np.int64), action)
     for _ in range(round(LONGEST / LONGEST_STEP)):
         if not np.isin(tried["action"][tried["status"] != 0], actions).any():
             break
         advance_blocks(
-            crowd.shelf,
-            crowd.packed_ground,
-            crowd.rig,
+            shelf,
+            ground,
+            rig,
             tried,
-            crowd.workspace,
+            workspace,
             crowd.rules,
             poses,
             LONGEST_STEP,

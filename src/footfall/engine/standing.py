@@ -63,6 +63,10 @@ class Standing:
         """The same as the kernels take it."""
         return self._packed_grounds[0]
 
+    def packed_ground_of(self, row: int) -> PackedGround:
+        """Return what a row stands on, as the kernels take it."""
+        return self._packed_grounds[int(self._ground_of_row[row])]
+
     @property
     def ground_of_row(self) -> list[AnyGround]:
         """What each row stands on."""
