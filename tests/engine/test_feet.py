@@ -43,6 +43,24 @@ def test_a_body_that_does_nothing_does_not_move() -> None:
     assert np.abs(np.diff(recording.world_positions, axis=0)).max() < 1e-9
 
 
+def test_who_stops_in_the_middle_of_a_long_stride_stands_on_both_feet() -> None:
+    library = ff.MotionLibrary()
+    library.add("walk-fast", *ff.sample("walk-fast"), fade_out=0.02)
+    library.add("kick", *ff.sample("kick"))
+    crowd = ff.Crowd(library, 41)
+    crowd.start(0, range(1, 41), ahead=[0.03 * row for row in range(40)])
+    for _ in range(30):
+        crowd.advance(1 / FPS)
+    crowd.stop(0)
+    for _ in range(4 * int(FPS)):
+        crowd.advance(1 / FPS)
+    assert not crowd.characters["occupied"].any()
+    ankles = crowd.world_positions[:, crowd.rig.limbs[:, 2]]
+    strides = np.linalg.norm(ankles[:, 0] - ankles[:, 1], axis=1)
+    assert strides.max() > 0.7
+    assert np.abs(ankles[1:, :, 1] - ankles[0, :, 1]).max() < 0.003
+
+
 def weights(recording: Recording) -> Floats:
     return recording.shares[:, 1]
 

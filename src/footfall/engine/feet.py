@@ -13,7 +13,7 @@ from footfall.skeleton.normalized import ANKLES
 from footfall.skeleton.rig import Rig
 from footfall.support import Support
 
-__all__ = ["carries", "locate_feet", "stand_level", "stand_where_planted"]
+__all__ = ["carries", "locate_feet", "stance_shift", "stand_level", "stand_where_planted"]
 
 LEGS = int(BodyPart.LEGS)
 LEFT_FOOT = int(Support.LEFT) & ~int(Support.RIGHT)
@@ -48,9 +48,16 @@ def stand_where_planted(shelf: Shelf, me: Character) -> None:
                 shown = me.shown_ankles[side, axis]
                 me.stance[side, axis] = shown - own if apart else 0.0
     for side in range(2):
-        for axis in range(2):
-            shift = me.stance[side, axis]
-            me.effectors[ANKLES + 3 * side + 2 * axis] += weight * shift
+        x, z = stance_shift(me, side)
+        me.effectors[ANKLES + 3 * side] += x
+        me.effectors[ANKLES + 3 * side + 2] += z
+
+
+@small_kernel
+def stance_shift(me: Character, side: int) -> tuple[float, float]:
+    """Return how far a foot stands from where the blended pose has it, in leg lengths: x and z."""
+    weight = me.weights[SEATS, LEGS] if me.stands else 0.0
+    return weight * me.stance[side, 0], weight * me.stance[side, 1]
 
 
 @small_kernel

@@ -11,6 +11,7 @@ from footfall.adaptation.pelvis import FALL_SPEED, RISE_SPEED, needed_drop
 from footfall.arrays import Positions, Rotations, SmallFloats
 from footfall.blending.root import mix_point
 from footfall.compilation import lean_kernel, small_kernel
+from footfall.engine.feet import stance_shift
 from footfall.engine.foot_turns import foot_rotation
 from footfall.engine.record import NO_REACHING, Character
 from footfall.engine.state import Workspace
@@ -60,9 +61,12 @@ def aim_body(rig: Rig, me: Character, work: Workspace, lane: int) -> None:
         x, y, z = _placed_ankle(rig, me, work.blended[lane], side, ankle)
         me.shown_ankles[side, 0], me.shown_ankles[side, 1] = x / leg, z / leg
         placed = (x, y, z)
+        # A stance is not the pose's own: the pelvis sinks for it as for a footprint.
+        x, z = stance_shift(me, side)
+        own = (ankle[0] - leg * x, ankle[1], ankle[2] - leg * z)
         for axis in range(3):
-            aims[ANKLE + 3 * side + axis, lane] = ankle[axis]
-            aims[OFFSET + 3 * side + axis, lane] = placed[axis] - ankle[axis]
+            aims[ANKLE + 3 * side + axis, lane] = own[axis]
+            aims[OFFSET + 3 * side + axis, lane] = placed[axis] - own[axis]
 
 
 @small_kernel
