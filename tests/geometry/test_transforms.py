@@ -81,3 +81,10 @@ def test_the_same_source_takes_arrays() -> None:
     frames_and_points = np.random.default_rng(1).normal(size=(5, 50))
     one_by_one = [transforms.apply(*numbers) for numbers in frames_and_points.T.tolist()]
     np.testing.assert_allclose(apply(*frames_and_points), np.array(one_by_one).T, rtol=1e-15)
+
+
+@settings(deadline=None)
+@given(st.one_of(st.floats(-10.0, 10.0), st.floats(-0.126, 0.126)))
+def test_cosine_and_sine_are_exact_to_the_last_bits(angle: float) -> None:
+    found = transforms.cosine_and_sine(angle)
+    np.testing.assert_allclose(found, (math.cos(angle), math.sin(angle)), rtol=3e-16, atol=3e-16)

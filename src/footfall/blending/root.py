@@ -9,40 +9,17 @@ with footprints off, a clip alone plays back as it was.
 
 from __future__ import annotations
 
-from footfall.arrays import Positions, SmallFloats
+from footfall.arrays import Positions
 from footfall.compilation import small_kernel
 from footfall.geometry import transforms
 
-__all__ = ["correct_displacement", "foot_slide", "mix_point"]
+__all__ = ["correct_displacement", "mix_point"]
 
 
 @small_kernel
 def mix_point(points: Positions, side: int, toe_share: float, axis: int) -> float:
     """Return one coordinate of the point of a foot that carries, between heel and toe."""
     return (1.0 - toe_share) * points[side, 0, axis] + toe_share * points[side, 1, axis]
-
-
-@small_kernel
-def foot_slide(
-    step: tuple[float, float, float],
-    before: Positions | SmallFloats,
-    after: Positions | SmallFloats,
-    side: int,
-    point: int,
-) -> tuple[float, float]:
-    """Return how far a motion itself moves a foot point over the ground.
-
-    Seen from its root before the step.
-
-    Args:
-        step: The root after, as seen from the root before: x, z, heading [rad].
-        before: Heel and toe of each foot, relative to the root, shape (2, 2, 3).
-        after: The same after the step.
-        side: Which foot.
-        point: Its heel (0) or toe (1).
-    """
-    x, z = transforms.apply(step[0], step[1], step[2], after[side, point, 0], after[side, point, 2])
-    return x - before[side, point, 0], z - before[side, point, 2]
 
 
 @small_kernel
@@ -64,12 +41,9 @@ def correct_displacement(
         side: Which foot carries.
         toe_share: Where between heel (0) and toe (1) it carries.
     """
-    x, z = transforms.apply(
-        0.0,
-        0.0,
-        heading,
-        mix_point(after, side, toe_share, 0),
-        mix_point(after, side, toe_share, 2),
+    cosine, sine = transforms.cosine_and_sine(heading)
+    x, z = transforms.turn(
+        cosine, sine, mix_point(after, side, toe_share, 0), mix_point(after, side, toe_share, 2)
     )
     return (
         slide[0] + mix_point(before, side, toe_share, 0) - x,

@@ -11,7 +11,7 @@ from footfall.compilation import inner_kernel, lean_kernel
 from footfall.engine.clock import pass_time
 from footfall.engine.priority_changes import ask_priority, settle_priority
 from footfall.engine.record import SEATS, Character
-from footfall.engine.shelf import Shelf, key_at, read_points
+from footfall.engine.shelf import Shelf
 from footfall.engine.slots import begin_leaving
 from footfall.engine.starting import NONE, enter_action
 from footfall.engine.state import EMPTY, RUNNING, WAITING
@@ -167,8 +167,6 @@ def catch_up_rows(
         for seat in range(me.occupied):
             if me.status[seat] >= RUNNING:
                 me.posed_time[seat] = me.clip_time[seat]
-                frame, fraction, _ = key_at(shelf.entries[me.action[seat]], me.clip_time[seat])
-                read_points(shelf, frame, fraction, me.seat_points[seat])
             for time in (0, 3):
                 me.segment[seat, time] -= ahead[place]
             me.patience[seat] -= ahead[place]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from footfall.arrays import SmallFloats
 from footfall.compilation import small_kernel
+from footfall.engine.moment import Moment
 from footfall.engine.record import SEATS, Character
 from footfall.engine.shelf import Shelf
 from footfall.geometry import quaternions, transforms
@@ -28,7 +29,7 @@ def carries(support: int, side: int) -> bool:
 
 
 @small_kernel
-def stand_where_planted(shelf: Shelf, me: Character) -> None:
+def stand_where_planted(shelf: Shelf, me: Character, moment: Moment) -> None:
     """Let the neutral motion, where it takes over from both feet, stand where they are.
 
     Otherwise planted feet would have to slide together, or be held far from their own pose.
@@ -49,8 +50,8 @@ def stand_where_planted(shelf: Shelf, me: Character) -> None:
                 me.stance[side, axis] = shown - own if apart else 0.0
     for side in range(2):
         x, z = stance_shift(me, side)
-        me.effectors[ANKLES + 3 * side] += x
-        me.effectors[ANKLES + 3 * side + 2] += z
+        moment.effectors[ANKLES + 3 * side] += x
+        moment.effectors[ANKLES + 3 * side + 2] += z
 
 
 @small_kernel
@@ -61,14 +62,14 @@ def stance_shift(me: Character, side: int) -> tuple[float, float]:
 
 
 @small_kernel
-def locate_feet(shelf: Shelf, me: Character, blended: SmallFloats) -> None:
+def locate_feet(shelf: Shelf, moment: Moment, blended: SmallFloats) -> None:
     """Find heel and toe of the blended feet (stage 5).
 
-    Written: `me.points` in leg lengths, `me.heights` over each point's own height at rest.
+    Written: `Moment.points` in leg lengths, `Moment.heights` over each point's own height at rest.
 
     Args:
         shelf: The library.
-        me: The character.
+        moment: What this frame has found out of the character.
         blended: Its blended pose by component, shape (4 rows + 8,).
     """
     rows = (blended.shape[0] - LANES) // 4
@@ -77,25 +78,20 @@ def locate_feet(shelf: Shelf, me: Character, blended: SmallFloats) -> None:
         w, qx = float(blended[foot]), float(blended[foot + rows])
         qy, qz = float(blended[foot + 2 * rows]), float(blended[foot + 3 * rows])
         for point in range(2):
-            offset = shelf.points[side, point]
-            standing = shelf.resting_heights[shelf.entries.shape[0], side, point]
-            resting = me.weights[SEATS, LEGS] * standing
-            for seat in range(me.occupied):
-                height = shelf.resting_heights[me.action[seat], side, point]
-                resting += me.weights[seat, LEGS] * height
+            offset, resting = shelf.points[side, point], float(moment.resting[2 * side + point])
             x, y, z = quaternions.rotate(w, qx, qy, qz, offset[0], offset[1], offset[2])
-            me.points[side, point, 0] = x + me.effectors[1 + 3 * side]
-            me.points[side, point, 1] = y + me.effectors[2 + 3 * side]
-            me.points[side, point, 2] = z + me.effectors[3 + 3 * side]
-            me.heights[side, point] = me.points[side, point, 1] - resting
+            moment.points[side, point, 0] = x + moment.effectors[1 + 3 * side]
+            moment.points[side, point, 1] = y + moment.effectors[2 + 3 * side]
+            moment.points[side, point, 2] = z + moment.effectors[3 + 3 * side]
+            moment.heights[side, point] = moment.points[side, point, 1] - resting
 
 
 @small_kernel
-def stand_level(rig: Rig, me: Character, side: int) -> None:
+def stand_level(rig: Rig, me: Character, moment: Moment, side: int) -> None:
     """Write heel and toe of a foot in the world, its sole not tilted."""
     me.tilt[side, 0] = me.tilt[side, 1] = 0.0
     for point in range(2):
-        own = me.points[side, point]
+        own = moment.points[side, point]
         leg = rig.leg_length
         x, z = transforms.turn(me.facing[0], me.facing[1], leg * own[0], leg * own[2])
         me.world_points[side, point, 0] = me.root[0] + x

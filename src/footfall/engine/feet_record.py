@@ -43,15 +43,11 @@ class Feet:
     landing_time: Annotated[Seconds, 2]
     """How long until it lands [s]; -1 where that is not foreseen, shape (2,)."""
 
-    foreseen_points: Annotated[Positions, 2, 2, 3]
-    """Heel and toe of each foot at the end of the slot, relative to the root, in leg lengths,
-    shape (2, 2, 3)."""
-
     toe_velocity: Annotated[Floats, 2, 2]
     """How fast the blended toes go over the ground, x and z [m/s], shape (2, 2)."""
 
     world_points: Annotated[Positions, 2, 2, 3]
-    """The same in the world, before footprints [m], shape (2, 2, 3)."""
+    """Heel and toe of each foot in the world, before footprints [m], shape (2, 2, 3)."""
 
     foot_offset: Annotated[Positions, 2, 3]
     """How far footprints move each foot [m], shape (2, 3)."""
@@ -62,21 +58,11 @@ class Feet:
     planted_time: Annotated[Seconds, 2]
     """How long each foot has been carrying [s], 0 while it does not, shape (2,)."""
 
-    points: Annotated[Positions, 2, 2, 3]
-    """Heel and toe of the blended feet, relative to the root, in leg lengths, (2, 2, 3)."""
-
-    heights: Annotated[Floats, 2, 2]
-    """Their heights over where they rest, in leg lengths, shape (2, 2)."""
-
     toe_shares: Annotated[Floats, 2]
     """Where between heel (0) and toe (1) each foot carries, on its way to `on_toes`, (2,)."""
 
-    slides: Annotated[Floats, 2, 2, 2]
-    """How far the motions themselves let heel and toe of each foot slide, x and z in leg lengths,
-    shape (2, 2, 2)."""
-
     slide_speeds: Annotated[Floats, 2, 2]
-    """How fast, smoothed [m/s], shape (2, 2)."""
+    """How fast the motions themselves let heel and toe slide, smoothed [m/s], shape (2, 2)."""
 
     on_toes: Annotated[Flags, 2]
     """Whether the toe of each foot carries rather than its heel, shape (2,)."""

@@ -12,6 +12,7 @@ from typing import Literal
 
 from footfall.adaptation.footprints import spring
 from footfall.compilation import small_kernel
+from footfall.engine.moment import Moment
 from footfall.engine.record import SEATS, Character
 from footfall.engine.shelf import Shelf, key_at, phase_end
 from footfall.engine.state import RUNNING
@@ -58,10 +59,10 @@ def flight_of(name: str) -> int:
 
 
 @small_kernel
-def fly(shelf: Shelf, rig: Rig, me: Character, dt: float) -> None:
+def fly(shelf: Shelf, rig: Rig, me: Character, moment: Moment, dt: float) -> None:
     """Move the blended body up or down so that it falls freely while nothing carries it."""
     leg = rig.leg_length
-    blended = leg * me.effectors[0]
+    blended = leg * moment.effectors[0]
     rise = (blended - me.pelvis[0]) / dt if dt > 0.0 else 0.0
     before = me.pelvis[0] + me.lift[0]
     me.pelvis[0] = blended
@@ -84,9 +85,9 @@ def fly(shelf: Shelf, rig: Rig, me: Character, dt: float) -> None:
         me.lift[0], me.lift[1] = spring(me.lift[0], me.lift[1], 0.0, LANDING, dt)
     # The feet go with the body; once they carry, their footprints bring them to the ground.
     lift = me.lift[0] / leg
-    me.effectors[0] += lift
-    me.effectors[2] += lift
-    me.effectors[5] += lift
+    moment.effectors[0] += lift
+    moment.effectors[2] += lift
+    moment.effectors[5] += lift
 
 
 @small_kernel

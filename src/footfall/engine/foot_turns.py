@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from footfall.adaptation.footprints import RELEASE_SPEED, spring
 from footfall.compilation import small_kernel
+from footfall.engine.moment import Moment
 from footfall.engine.record import Character
 from footfall.geometry import quaternions
 
@@ -21,23 +22,26 @@ LEAST = 1e-3
 
 
 @small_kernel
-def steered_turn(me: Character, dt: float) -> float:
+def steered_turn(me: Character, moment: Moment, dt: float) -> float:
     """Return how far the root turns in this step: as it is steered, else as its motions do [rad].
 
     Written: whether feet are turned against their motions.
     """
     if not me.steered:
-        return me.way[2]
+        return moment.way[2]
     me.twisted = True
     return me.steer * dt
 
 
 @small_kernel
-def turn_foot(me: Character, side: int, planted: bool, grip: float, dt: float) -> None:
+def turn_foot(
+    me: Character, moment: Moment, side: int, planted: bool, grip: float, dt: float
+) -> None:
     """Keep a carrying foot's heading while the root turns; let a swinging one get ahead of it.
 
     Args:
         me: The character.
+        moment: What this frame has found out.
         side: Which foot.
         planted: Whether it carries.
         grip: How firmly it is held, 0..1.
@@ -49,7 +53,7 @@ def turn_foot(me: Character, side: int, planted: bool, grip: float, dt: float) -
         return
     if dt <= 0.0:
         return
-    beyond = me.steer * dt - me.way[2] if me.steered else 0.0
+    beyond = me.steer * dt - moment.way[2] if me.steered else 0.0
     if planted:
         turn[0] -= grip * beyond
         turn[1] = -grip * beyond / dt

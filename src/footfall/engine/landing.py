@@ -14,6 +14,7 @@ from footfall.adaptation.surfaces import carry, probe
 from footfall.arrays import SmallFloats
 from footfall.compilation import small_kernel
 from footfall.engine.feet import carries
+from footfall.engine.moment import Moment
 from footfall.engine.record import SEATS, Character
 from footfall.engine.shelf import Shelf, key_at, read_points, travel
 from footfall.engine.state import RUNNING
@@ -52,7 +53,7 @@ this from where the slope leads is behind an edge."""
 
 @small_kernel
 def foresee_landings(
-    shelf: Shelf, ground: Ground, rig: Rig, me: Character, points: SmallFloats
+    shelf: Shelf, ground: Ground, rig: Rig, me: Character, moment: Moment, points: SmallFloats
 ) -> None:
     """Find where and when each swinging foot comes down, if that is in the next slot.
 
@@ -63,6 +64,7 @@ def foresee_landings(
         ground: What it stands on; where that is even, a foot lands anywhere.
         rig: The body.
         me: The character.
+        moment: What this frame has found out of it.
         points: Memory for the foot points of one motion, shape (2, 2, 3).
     """
     if ground.even:
@@ -82,16 +84,16 @@ def foresee_landings(
         known = True
     if not known:
         return
-    _foresee_points(shelf, me, points)
+    _foresee_points(shelf, me, moment, points)
     for side in range(2):
         if me.landing_time[side] >= 0.0:
-            _choose_place(ground, rig, me, side)
+            _choose_place(ground, rig, me, moment, side)
 
 
 @small_kernel
-def _foresee_points(shelf: Shelf, me: Character, one: SmallFloats) -> None:
+def _foresee_points(shelf: Shelf, me: Character, moment: Moment, one: SmallFloats) -> None:
     """Write heel and toe of both feet at the end of the slot, relative to the root now."""
-    foreseen = me.foreseen_points
+    foreseen = moment.foreseen_points
     foreseen[:] = 0.0
     for seat in range(SEATS + 1):
         weight = me.weights[seat, LEGS]
@@ -114,9 +116,9 @@ def _foresee_points(shelf: Shelf, me: Character, one: SmallFloats) -> None:
 
 
 @small_kernel
-def _choose_place(ground: Ground, rig: Rig, me: Character, side: int) -> None:
+def _choose_place(ground: Ground, rig: Rig, me: Character, moment: Moment, side: int) -> None:
     """Write how far a foot is led from where it would land, and how high that is."""
-    leg, root, points = rig.leg_length, me.root, me.foreseen_points[side]
+    leg, root, points = rig.leg_length, me.root, moment.foreseen_points[side]
     heel = transforms.apply(root[0], root[1], root[2], leg * points[0, 0], leg * points[0, 2])
     toe = transforms.apply(root[0], root[1], root[2], leg * points[1, 0], leg * points[1, 2])
     landing = me.landing[side]

@@ -13,6 +13,7 @@ from footfall.engine.library_sources import LibrarySources
 from footfall.engine.packing import PackedClip
 from footfall.engine.priorities import parse_priority
 from footfall.engine.shelf import Shelf
+from footfall.engine.sole_keys import resting_octets, sole_keys_of
 from footfall.errors import ArgumentError
 from footfall.motion import Clip
 from footfall.skeleton import Skeleton
@@ -179,17 +180,17 @@ class MotionLibrary(LibrarySources):
         rig, joints = self.rig(), self.skeleton.count
         keys = np.concatenate([*(action.packed.keys for action in actions), self._standing])
         sequences = [action.supports for action in actions]
-        standing_root = np.zeros((1, 3))
+        standing_root, points = np.zeros((1, 3)), rig.foot_points / rig.leg_length
+        resting = [*(action.packed.resting_heights for action in actions), self._resting]
         return Shelf(
             keys=by_component(keys, joints),
             roots=np.concatenate([*(action.packed.roots for action in actions), standing_root]),
+            sole_keys=sole_keys_of(keys, points),
             entries=entries_of(actions),
-            resting_heights=np.stack(
-                [*(action.packed.resting_heights for action in actions), self._resting]
-            ),
+            resting_heights=resting_octets(resting),
             table=SequenceTable.of(sequences),
             phase_starts=np.concatenate([one.boundaries[:-1] for one in sequences]),
-            points=rig.foot_points / rig.leg_length,
+            points=points,
             use_paper_cubic=planner == "paper",
             joints=joints,
             layers=layer_shelf_of(self._layers, joints),

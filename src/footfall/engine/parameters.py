@@ -18,7 +18,8 @@ from footfall.arrays import Seconds
 from footfall.compilation import kernel
 from footfall.engine.action import Action
 from footfall.engine.record import SEATS, Character
-from footfall.engine.shelf import Shelf, key_at, read_points
+from footfall.engine.shelf import Shelf
+from footfall.engine.sole_keys import sole_keys_of
 from footfall.engine.state import EMPTY, RUNNING
 from footfall.errors import ArgumentError
 from footfall.skeleton.normalized import by_component
@@ -167,8 +168,8 @@ class Parameters:
         self._values[index] = _Value(now, value.asked, mix.supports)
         old = np.array(value.supports.boundaries)
         _write_mix(shelf, index, mix)
-        for own, part in parts:
-            keep_places(own, part, index, old, np.array(mix.supports.boundaries))
+        for _, part in parts:
+            keep_places(part, index, old, np.array(mix.supports.boundaries))
 
 
 def _kept(parts: Parts, index: int, supports: SupportSequence) -> dict[int, Support]:
@@ -191,6 +192,7 @@ def _write_mix(shelf: Shelf, index: int, mix: CycleMix) -> None:
     entry: Any = shelf.entries[index]
     first, count = int(entry["first_frame"]), int(entry["frame_count"])
     shelf.keys[first : first + count] = by_component(mix.keys, shelf.joints)
+    shelf.sole_keys[first : first + count] = sole_keys_of(mix.keys, shelf.points)
     shelf.roots[first : first + count] = mix.roots
     entry["duration"] = mix.supports.duration
     entry["fps"] = (count - 1) / mix.supports.duration
@@ -201,13 +203,10 @@ def _write_mix(shelf: Shelf, index: int, mix: CycleMix) -> None:
 
 
 @kernel
-def keep_places(
-    shelf: Shelf, characters: npt.NDArray[Any], action: int, old: Seconds, new: Seconds
-) -> None:
+def keep_places(characters: npt.NDArray[Any], action: int, old: Seconds, new: Seconds) -> None:
     """Leave every clip of an action at the same share of the same phase.
 
     Args:
-        shelf: The library, the new mix in it.
         characters: Records of `character_type`, shape (rows,).
         action: Which action.
         old: Boundaries of its phases before [s], shape (phases + 1,), from 0 on.
@@ -226,8 +225,6 @@ def keep_places(
             for end in range(2):
                 me.segment[seat, 1 + 3 * end] = _moved(old, new, me.segment[seat, 1 + 3 * end])[0]
                 me.segment[seat, 2 + 3 * end] *= pace
-            frame, fraction, _ = key_at(shelf.entries[action], me.posed_time[seat])
-            read_points(shelf, frame, fraction, me.seat_points[seat])
             me.unsettled = True
 
 

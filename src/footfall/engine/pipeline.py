@@ -19,6 +19,7 @@ from footfall.engine.feet import locate_feet, stand_where_planted
 from footfall.engine.flight import fly
 from footfall.engine.landing import foresee_landings
 from footfall.engine.layers import lay_over
+from footfall.engine.moment import Moment
 from footfall.engine.placing import STEP, aim_body, place_bodies
 from footfall.engine.pose import blend_poses, move_root
 from footfall.engine.record import HALF_RATE, Character
@@ -36,11 +37,8 @@ LONGEST_STEP = 1.0 / 30.0
 """Longest time between two poses [s]; a longer advance is cut into equal steps."""
 
 
-OFTEN_USED = 2624
-"""Bytes of a record that every frame uses: the fields up to `seat_points`."""
-
-A_SEAT = 48
-"""Bytes of `seat_points` that belong to one seat."""
+OFTEN_USED = 2264
+"""Bytes of a record that every frame uses: the fields before `playing`."""
 
 LEFT_OUT = -1.0
 """Stands for the time of a row that is left out."""
@@ -65,17 +63,18 @@ def _advance_row(
     blend_poses(shelf, rig, me, work, lane)
     if me.layered:
         lay_over(shelf.layers, me, work.blended[lane], dt)
-    fly(shelf, rig, me, dt)
+    moment: Moment = work.moments[0]
+    fly(shelf, rig, me, moment, dt)
     # 5. The feet of that mean; where nothing plays they stand where they were planted.
-    stand_where_planted(shelf, me)
-    locate_feet(shelf, me, work.blended[lane])
+    stand_where_planted(shelf, me, moment)
+    locate_feet(shelf, moment, work.blended[lane])
     # 6. What carries the feet takes them along; then the way over the ground, so that the heel
     #    or toe that carries stays.
     ride(ground, me, dt)
-    move_root(rig, me, dt)
+    move_root(rig, me, moment, dt)
     # 7. Where feet will land; the footprints: what was planted is held, what is lifted is let go.
-    foresee_landings(shelf, ground, rig, me, work.points)
-    keep_footprints(ground, rig, me, dt)
+    foresee_landings(shelf, ground, rig, me, moment, work.points)
+    keep_footprints(ground, rig, me, moment, dt)
     # 8. What this body's legs reach for.
     aim_body(rig, me, work, lane)
     me.fresh = me.placed = False
@@ -131,8 +130,7 @@ def advance_blocks(
             for lane in range(min(LANES, characters.shape[0] - block * LANES)):
                 row = block * LANES + lane
                 me: Character = characters[row]
-                size = OFTEN_USED + A_SEAT * me.occupied
-                fetch_ahead(characters, min(row + 1, characters.shape[0] - 1), size)
+                fetch_ahead(characters, min(row + 1, characters.shape[0] - 1), OFTEN_USED)
                 time = _time_due(me, dt / steps)
                 work.aims[STEP, lane] = time
                 if time >= 0.0:

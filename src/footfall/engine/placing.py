@@ -13,6 +13,7 @@ from footfall.blending.root import mix_point
 from footfall.compilation import lean_kernel, small_kernel
 from footfall.engine.feet import stance_shift
 from footfall.engine.foot_turns import foot_rotation
+from footfall.engine.moment import Moment
 from footfall.engine.record import NO_REACHING, Character
 from footfall.engine.state import Workspace
 from footfall.geometry import quaternions, transforms
@@ -44,7 +45,8 @@ AGES = 10.0
 def aim_body(rig: Rig, me: Character, work: Workspace, lane: int) -> None:
     """Say what one body has to reach: its feet on their footprints (stage 8)."""
     leg, aims = rig.leg_length, work.aims
-    aims[HEIGHT, lane] = leg * me.effectors[0]
+    moment: Moment = work.moments[0]
+    aims[HEIGHT, lane] = leg * moment.effectors[0]
     aims[DROP, lane], aims[DROP_SPEED, lane] = me.pelvis_drop[0], me.pelvis_drop[1]
     aims[REACHES, lane] = 1.0 if me.synchronized and me.detail != NO_REACHING else 0.0
     if not me.synchronized:
@@ -54,11 +56,11 @@ def aim_body(rig: Rig, me: Character, work: Workspace, lane: int) -> None:
         aims[STEP, lane] = AGES
     for side in range(2):
         ankle = (
-            leg * me.effectors[1 + 3 * side],
-            leg * me.effectors[2 + 3 * side],
-            leg * me.effectors[3 + 3 * side],
+            leg * moment.effectors[1 + 3 * side],
+            leg * moment.effectors[2 + 3 * side],
+            leg * moment.effectors[3 + 3 * side],
         )
-        x, y, z = _placed_ankle(rig, me, work.blended[lane], side, ankle)
+        x, y, z = _placed_ankle(rig, me, moment, work.blended[lane], side, ankle)
         me.shown_ankles[side, 0], me.shown_ankles[side, 1] = x / leg, z / leg
         placed = (x, y, z)
         # A stance is not the pose's own: the pelvis sinks for it as for a footprint.
@@ -71,7 +73,12 @@ def aim_body(rig: Rig, me: Character, work: Workspace, lane: int) -> None:
 
 @small_kernel
 def _placed_ankle(
-    rig: Rig, me: Character, blended: SmallFloats, side: int, ankle: tuple[float, float, float]
+    rig: Rig,
+    me: Character,
+    moment: Moment,
+    blended: SmallFloats,
+    side: int,
+    ankle: tuple[float, float, float],
 ) -> tuple[float, float, float]:
     """Turn and tilt a foot about the middle of its sole, and put it on its footprint.
 
@@ -84,9 +91,9 @@ def _placed_ankle(
     x, z = transforms.turn(cosine, sine, offset[0], offset[2])
     if me.tilt[side, 0] == 0.0 and me.tilt[side, 1] == 0.0 and not me.twisted:
         return ankle[0] + x, ankle[1] + offset[1], ankle[2] + z
-    px = leg * mix_point(me.points, side, 0.5, 0)
-    py = leg * mix_point(me.points, side, 0.5, 1)
-    pz = leg * mix_point(me.points, side, 0.5, 2)
+    px = leg * mix_point(moment.points, side, 0.5, 0)
+    py = leg * mix_point(moment.points, side, 0.5, 1)
+    pz = leg * mix_point(moment.points, side, 0.5, 2)
     slope_x, slope_z = transforms.turn(cosine, sine, me.tilt[side, 0], me.tilt[side, 1])
     q = foot_rotation(me, side, slope_x, slope_z)
     ax, ay, az = quaternions.rotate(

@@ -8,16 +8,19 @@ from typing import cast
 import numpy as np
 
 from footfall.adaptation.footprints import ROLL_TIME, SPEED_TIME, approach, toe_lead
-from footfall.arrays import SmallFloats
 from footfall.blending.poses import Layers, blend_layers
-from footfall.blending.root import correct_displacement, foot_slide
+from footfall.blending.root import correct_displacement
 from footfall.compilation import small_kernel
 from footfall.engine.feet import carries
 from footfall.engine.foot_turns import steered_turn
+from footfall.engine.moment import Moment
 from footfall.engine.record import SEATS, Character
-from footfall.engine.shelf import Shelf, key_at, read_points, travel
+from footfall.engine.shelf import Shelf, key_at, travel_between
+from footfall.engine.sole_keys import sole_slides
 from footfall.engine.state import RUNNING, Workspace
 from footfall.geometry import transforms
+from footfall.octet_memory import load, spread, store
+from footfall.octets import LANES
 from footfall.skeleton import BodyPart
 from footfall.skeleton.normalized import EFFECTORS
 from footfall.skeleton.rig import Rig
@@ -35,23 +38,39 @@ NEUTRAL, NONE_YET = cast(int, np.int64(SEATS)), cast(int, np.int64(0))
 def blend_poses(shelf: Shelf, rig: Rig, me: Character, work: Workspace, lane: int) -> None:
     """Sample every action and the neutral motion, and blend them by body part (stage 4).
 
-    Written: the blended pose, and the way of all roots with what their feet slide by themselves.
+    Written: the blended pose; the way of all roots, what their feet slide by themselves and how
+    high they rest. The neutral motion has neither way nor slide.
     """
-    me.way[:] = 0.0
-    me.slides[:] = 0.0
+    moment: Moment = work.moments[0]
+    moment.way[:] = 0.0
+    slides = spread(0.0)
+    resting = me.weights[NEUTRAL, LEGS] * load(
+        shelf.resting_heights, LANES * shelf.entries.shape[0]
+    )
     count = NONE_YET
     for seat in range(me.occupied):
         if me.status[seat] < RUNNING:
             continue
-        frame, fraction, _ = key_at(shelf.entries[me.action[seat]], me.clip_time[seat])
-        read_points(shelf, frame, fraction, work.points)
-        _add_way(shelf, me, seat, work.points)
-        count += _add_layer(me, seat, frame, fraction, work.layers, count)
+        action = me.action[seat]
+        entry = shelf.entries[action]
+        before = key_at(entry, me.posed_time[seat])
+        now = key_at(entry, me.clip_time[seat])
+        me.posed_time[seat] = me.clip_time[seat]
+        count += _add_layer(me, seat, now[0], now[1], work.layers, count)
+        weight = me.weights[seat, LEGS]
+        if weight > 0.0:
+            step = travel_between(shelf.roots, entry, before, now)
+            for i in range(3):
+                moment.way[i] += weight * step[i]
+            slides = slides + weight * sole_slides(shelf.sole_keys, before, now, step[2])
+            resting = resting + weight * load(shelf.resting_heights, LANES * action)
+    store(moment.slides, 0, slides)
+    store(moment.resting, 0, resting)
     count += _add_layer(me, NEUTRAL, shelf.keys.shape[0] - 1, 0.0, work.layers, count)
     blended = work.blended[lane]
     blend_layers(shelf.keys, work.layers, count, rig.part_masks, blended)
     for i in range(EFFECTORS):
-        me.effectors[i] = blended[4 * rig.part_masks.shape[1] + i]
+        moment.effectors[i] = blended[4 * rig.part_masks.shape[1] + i]
 
 
 @small_kernel
@@ -73,61 +92,47 @@ def _add_layer(
 
 
 @small_kernel
-def _add_way(shelf: Shelf, me: Character, seat: int, points: SmallFloats) -> None:
-    """Add one motion's way, and how far its feet slide on it, to those of the others.
-
-    The neutral motion has neither.
-    """
-    weight = me.weights[seat, LEGS]
-    now = me.clip_time[seat]
-    step = travel(shelf.roots, shelf.entries[me.action[seat]], me.posed_time[seat], now)
-    me.posed_time[seat] = now
-    for i in range(3):
-        me.way[i] += weight * step[i]
-    before = me.seat_points[seat]
-    for side in range(2):
-        for point in range(2):
-            x, z = foot_slide(step, before, points, side, point)
-            me.slides[side, point, 0] += weight * x
-            me.slides[side, point, 1] += weight * z
-    for side in range(2):
-        for point in range(2):
-            for axis in range(3):
-                before[side, point, axis] = points[side, point, axis]
-
-
-@small_kernel
-def move_root(rig: Rig, me: Character, dt: float) -> None:
+def move_root(rig: Rig, me: Character, moment: Moment, dt: float) -> None:
     """Move the root as the motions do, corrected so that the carrying feet stay (stage 6)."""
-    step_x, step_z, turn = me.way[0], me.way[1], steered_turn(me, dt)
-    _choose_points(rig, me, dt)
+    step_x, step_z, turn = moment.way[0], moment.way[1], steered_turn(me, moment, dt)
+    _choose_points(rig, me, moment, dt)
     if me.synchronized and not me.fresh:
-        step_x, step_z = _corrected(me, step_x, step_z, turn)
-    root = me.root
-    root[0], root[1], root[2] = transforms.compose(
-        root[0], root[1], root[2], step_x * rig.leg_length, step_z * rig.leg_length, turn
-    )
-    me.facing[0], me.facing[1] = math.cos(root[2]), math.sin(root[2])
+        step_x, step_z = _corrected(me, moment, step_x, step_z, turn)
+    root, leg = me.root, rig.leg_length
+    cosine, sine = math.cos(root[2]), math.sin(root[2])
+    x, z = transforms.turn(cosine, sine, leg * step_x, leg * step_z)
+    root[0], root[1], root[2] = root[0] + x, root[1] + z, root[2] + turn
+    turned_cosine, turned_sine = transforms.cosine_and_sine(turn)
+    me.facing[0] = cosine * turned_cosine - sine * turned_sine
+    me.facing[1] = sine * turned_cosine + cosine * turned_sine
     for side in range(2):
         for point in range(2):
             for axis in range(3):
-                me.blended_points[side, point, axis] = me.points[side, point, axis]
+                me.blended_points[side, point, axis] = moment.points[side, point, axis]
 
 
 @small_kernel
-def _choose_points(rig: Rig, me: Character, dt: float) -> None:
+def _slide(moment: Moment, side: int, point: int) -> tuple[float, float]:
+    """Return how far the motions themselves let a foot point slide, in leg lengths: x and z."""
+    place = 2 * side + point
+    x = float(moment.slides[place]) + moment.way[0]
+    return x, float(moment.slides[place + 4]) + moment.way[1]
+
+
+@small_kernel
+def _choose_points(rig: Rig, me: Character, moment: Moment, dt: float) -> None:
     """Choose whether heel or toe of each foot carries; what is undecided stays as it was."""
     leg = rig.leg_length
     for side in range(2):
         for point in range(2):
-            slide = me.slides[side, point]
             if dt > 0.0:
-                speed = leg * math.sqrt(slide[0] * slide[0] + slide[1] * slide[1]) / dt
+                x, z = _slide(moment, side, point)
+                speed = leg * math.sqrt(x * x + z * z) / dt
                 smooth = approach(me.slide_speeds[side, point], speed, SPEED_TIME, dt)
                 me.slide_speeds[side, point] = smooth
         lead = toe_lead(
-            leg * me.heights[side, 0],
-            leg * me.heights[side, 1],
+            leg * moment.heights[side, 0],
+            leg * moment.heights[side, 1],
             me.slide_speeds[side, 0],
             me.slide_speeds[side, 1],
         )
@@ -139,20 +144,23 @@ def _choose_points(rig: Rig, me: Character, dt: float) -> None:
 
 
 @small_kernel
-def _corrected(me: Character, step_x: float, step_z: float, turn: float) -> tuple[float, float]:
+def _corrected(
+    me: Character, moment: Moment, step_x: float, step_z: float, turn: float
+) -> tuple[float, float]:
     """Return the displacement that suits the carrying feet; as it was where none carries."""
     x, z, feet = 0.0, 0.0, 0
     for side in range(2):
         if carries(me.support, side):
             share = me.toe_shares[side]
+            heel, toe = _slide(moment, side, 0), _slide(moment, side, 1)
             foot_x, foot_z = correct_displacement(
                 turn,
                 (
-                    (1.0 - share) * me.slides[side, 0, 0] + share * me.slides[side, 1, 0],
-                    (1.0 - share) * me.slides[side, 0, 1] + share * me.slides[side, 1, 1],
+                    (1.0 - share) * heel[0] + share * toe[0],
+                    (1.0 - share) * heel[1] + share * toe[1],
                 ),
                 me.blended_points,
-                me.points,
+                moment.points,
                 side,
                 share,
             )

@@ -33,21 +33,22 @@ def compile_poses(crowd: Crowd) -> None:
     )
     characters, poses = type_of(crowd.characters), type_of(crowd.poses)
     pose, points = type_of(work.blended[0]), type_of(work.points)
+    moment = type_of(work.moments[0])
     layers = type_of(crowd.shelf.layers)
     lane: Any = numba.intp
     time: Any = numba.float64
     stages: tuple[tuple[Any, tuple[Any, ...]], ...] = (
         (place_bodies, (rig, characters, memory, poses, lane)),
-        (keep_footprints, (ground, rig, me, time)),
-        (foresee_landings, (library, ground, rig, me, points)),
+        (keep_footprints, (ground, rig, me, moment, time)),
+        (foresee_landings, (library, ground, rig, me, moment, points)),
         (blend_poses, (library, rig, me, memory, lane)),
         (lay_over, (layers, me, pose, time)),
         (aim_body, (rig, me, memory, lane)),
-        (fly, (library, rig, me, time)),
-        (move_root, (rig, me, time)),
+        (fly, (library, rig, me, moment, time)),
+        (move_root, (rig, me, moment, time)),
         (ride, (ground, me, time)),
-        (locate_feet, (library, me, pose)),
-        (stand_where_planted, (library, me)),
+        (locate_feet, (library, moment, pose)),
+        (stand_where_planted, (library, me, moment)),
     )
     for stage, arguments in stages:
         cast(Any, stage).compile(arguments)

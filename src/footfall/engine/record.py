@@ -10,7 +10,6 @@ from footfall.arrays import (
     Indices,
     Positions,
     Seconds,
-    SmallFloats,
     Supports,
     Weights,
 )
@@ -136,7 +135,7 @@ class Character(Feet):
     """Clip time of the pose shown last, shape (seats,)."""
 
     blended_points: Annotated[Positions, 2, 2, 3]
-    """The same after blending, relative to the root [m], shape (2, 2, 3)."""
+    """Heel and toe of the blended feet in the pose shown last, as `Moment.points`, (2, 2, 3)."""
 
     stands: bool
     """Whether the neutral motion has weight on the legs."""
@@ -150,12 +149,6 @@ class Character(Feet):
     weights: Annotated[Weights, SEATS + 1, PARTS]
     """Weight on each body part; the last seat is the neutral motion. (seats + 1, parts)."""
 
-    effectors: Annotated[Floats, 7]
-    """Blended pelvis height and ankle positions, shape (7,)."""
-
-    way: Annotated[Floats, 3]
-    """Where the motions take the root in this step: x, z in leg lengths, heading [rad], (3,)."""
-
     segment: Annotated[Floats, SEATS, 6]
     """The time warp of the slot: t0, h0, v0, t1, h1, v1, shape (seats, 6)."""
 
@@ -165,10 +158,6 @@ class Character(Feet):
     presence: Annotated[Floats, SEATS]
     """How much of its leg weight a muted action keeps, on its way to 0, and of another one on
     its way to 1, shape (seats,)."""
-
-    seat_points: Annotated[SmallFloats, SEATS, 2, 2, 3]
-    """Heel and toe of each foot in the pose shown last, relative to the clip's root, in leg
-    lengths, shape (seats, 2, 2, 3)."""
 
     playing: Annotated[Flags, SEATS]
     """The synchronizer's window, as `footfall.sync.Window`, whose arrays follow."""

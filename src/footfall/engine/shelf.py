@@ -22,6 +22,7 @@ __all__ = [
     "read_points",
     "support_at",
     "travel",
+    "travel_between",
 ]
 
 
@@ -35,12 +36,16 @@ class Shelf(NamedTuple):
     roots: Floats
     """The root of each of them: x, z in leg lengths, heading [rad], shape (frames, 3)."""
 
+    sole_keys: SmallFloats
+    """Heel and toe of each foot in each of those poses, relative to the root, in leg lengths: x of
+    all four and z of all four; then z and -x, for a turn. Shape (frames, 16)."""
+
     entries: Entries
     """One record of `entry_type` for each action, shape (actions,)."""
 
-    resting_heights: Floats
-    """Height of heel and toe of each foot over the ground while they carry, in leg lengths;
-    the neutral motion is last. Shape (actions + 1, 2, 2)."""
+    resting_heights: SmallFloats
+    """Height of heel and toe of each foot over the ground while they carry, in leg lengths, and
+    four zeros; the neutral motion is last. Shape (actions + 1, 8)."""
 
     table: SequenceTable
     """The support sequences; action i has sequence i."""
@@ -121,9 +126,17 @@ def travel(roots: Floats, entry: Entry, before: float, after: float) -> tuple[fl
     Returns:
         x and z in leg lengths, and heading [rad].
     """
-    frame, fraction, cycle = key_at(entry, before)
+    return travel_between(roots, entry, key_at(entry, before), key_at(entry, after))
+
+
+@small_kernel
+def travel_between(
+    roots: Floats, entry: Entry, one: tuple[int, float, int], other: tuple[int, float, int]
+) -> tuple[float, float, float]:
+    """Return what `travel` does, between places found by `key_at`."""
+    frame, fraction, cycle = one
     x, z, heading = _root_at(roots, frame, fraction)
-    next_frame, next_fraction, next_cycle = key_at(entry, after)
+    next_frame, next_fraction, next_cycle = other
     next_x, next_z, next_heading = _root_at(roots, next_frame, next_fraction)
     first = roots[entry.first_frame]
     last = roots[entry.first_frame + entry.frame_count - 1]
@@ -134,7 +147,9 @@ def travel(roots: Floats, entry: Entry, before: float, after: float) -> tuple[fl
         next_x, next_z, next_heading = transforms.compose(
             last[0], last[1], last[2], next_x, next_z, next_heading
         )
-    return transforms.relative(x, z, heading, next_x, next_z, next_heading)
+    cosine, sine = transforms.cosine_and_sine(heading)
+    step_x, step_z = transforms.turn(cosine, -sine, next_x - x, next_z - z)
+    return step_x, step_z, next_heading - heading
 
 
 @small_kernel

@@ -6,6 +6,7 @@ from footfall.blending.root import mix_point
 from footfall.compilation import small_kernel
 from footfall.engine.feet import stand_level
 from footfall.engine.foot_turns import foot_rotation
+from footfall.engine.moment import Moment
 from footfall.engine.record import Character
 from footfall.geometry import quaternions, transforms
 from footfall.skeleton.rig import Rig
@@ -14,13 +15,15 @@ __all__ = ["move_points"]
 
 
 @small_kernel
-def move_points(rig: Rig, me: Character, side: int, dt: float) -> tuple[float, float]:
+def move_points(
+    rig: Rig, me: Character, moment: Moment, side: int, dt: float
+) -> tuple[float, float]:
     """Find heel and toe in the world; return how far that moved the carrying point [m]."""
     share = me.toe_shares[side]
     old_x = mix_point(me.world_points, side, share, 0)
     old_z = mix_point(me.world_points, side, share, 2)
     toe_x, toe_z = me.world_points[side, 1, 0], me.world_points[side, 1, 2]
-    _tilt_points(rig, me, side)
+    _tilt_points(rig, me, moment, side)
     if dt > 0.0 and not me.placed:
         me.toe_velocity[side, 0] = (me.world_points[side, 1, 0] - toe_x) / dt
         me.toe_velocity[side, 1] = (me.world_points[side, 1, 2] - toe_z) / dt
@@ -31,11 +34,11 @@ def move_points(rig: Rig, me: Character, side: int, dt: float) -> tuple[float, f
 
 
 @small_kernel
-def _tilt_points(rig: Rig, me: Character, side: int) -> None:
+def _tilt_points(rig: Rig, me: Character, moment: Moment, side: int) -> None:
     """Write heel and toe in the world, the sole turned and tilted about its middle."""
-    root, leg, points = me.root, rig.leg_length, me.points[side]
+    root, leg, points = me.root, rig.leg_length, moment.points[side]
     if me.foot_slope[side, 0] == 0.0 and me.foot_slope[side, 1] == 0.0 and not me.twisted:
-        stand_level(rig, me, side)
+        stand_level(rig, me, moment, side)
         return
     me.tilt[side, 0], me.tilt[side, 1] = me.foot_slope[side, 0], me.foot_slope[side, 1]
     w, qx, qy, qz = foot_rotation(me, side, me.tilt[side, 0], me.tilt[side, 1])

@@ -10,7 +10,7 @@ from footfall.compilation import inlined_kernel, inner_kernel
 from footfall.engine.durations import rebuild_warps, set_target, update_weights
 from footfall.engine.planning import follow_plan, measure_remaining, window_of
 from footfall.engine.record import SEATS, Character
-from footfall.engine.shelf import Shelf, key_at, phase_end, phase_start, read_points
+from footfall.engine.shelf import Shelf, phase_end, phase_start
 from footfall.engine.state import RUNNING, WAITING
 from footfall.skeleton import BodyPart
 from footfall.sync.planner import REFUSED, plan_start
@@ -87,8 +87,6 @@ def _begin(shelf: Shelf, me: Character, rules: Rules, seat: int) -> None:
         me.fade_progress[seat, group] = 1.0 if me.fresh else 0.0
         me.fade_elapsed[seat, group] = 0.0
     me.posed_time[seat] = me.clip_time[seat]
-    frame, fraction, _ = key_at(shelf.entries[action], me.clip_time[seat])
-    read_points(shelf, frame, fraction, me.seat_points[seat])
     update_weights(me)
     if rules.replans and me.playing[seat] and not me.muted[seat]:
         follow_plan(shelf, me)

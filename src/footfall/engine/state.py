@@ -10,6 +10,7 @@ import numpy.typing as npt
 from footfall.arrays import Positions, Rotations, SmallFloats
 from footfall.blending import Layers
 from footfall.compilation import records
+from footfall.engine.moment import Moment
 from footfall.engine.record import COLUMNS, SEATS, Character
 from footfall.octets import LANES
 from footfall.skeleton import BodyPart
@@ -30,6 +31,7 @@ __all__ = [
     "Frame",
     "Workspace",
     "character_type",
+    "moment_type",
     "new_characters",
     "new_workspace",
 ]
@@ -54,6 +56,9 @@ class Workspace(NamedTuple):
 
     kept: SmallFloats
     """Poses that are shown once more, shape (8, joints, 7)."""
+
+    moments: npt.NDArray[Any]
+    """What is worked out of the character at hand: one record of `moment_type`, shape (1,)."""
 
     points: SmallFloats
     """Heel and toe of each foot of one motion, in leg lengths, shape (2, 2, 3)."""
@@ -93,9 +98,13 @@ def character_type(lookahead: int) -> np.dtype[Any]:
     Args:
         lookahead: How many slots ahead are decided.
     """
+    return _memory_layout(Character, lookahead)
+
+
+def _memory_layout(kind: type, lookahead: int) -> np.dtype[Any]:
     numbers = {int: np.int64, float: np.float64, bool: np.int8}
     fields: list[tuple[Any, ...]] = []
-    for name, hint in get_type_hints(Character, include_extras=True).items():
+    for name, hint in get_type_hints(kind, include_extras=True).items():
         if get_origin(hint) is not Annotated:
             fields.append((name, numbers[hint]))
             continue
@@ -109,6 +118,10 @@ def character_type(lookahead: int) -> np.dtype[Any]:
         number = np.int8 if number is np.bool_ else number
         fields.append((name, number, tuple(lookahead + 2 if n == COLUMNS else n for n in shape)))
     return np.dtype(fields, align=True)
+
+
+moment_type = _memory_layout(Moment, 0)
+"""The memory layout of `Moment`."""
 
 
 def new_characters(rows: int, lookahead: int) -> npt.NDArray[Any]:
@@ -133,6 +146,7 @@ def new_workspace(joints: int) -> Workspace:
     return Workspace(
         new_search_memory(),
         np.zeros((LANES, joints, PLACEMENT), dtype=np.float32),
+        records(np.zeros(1, dtype=moment_type)),
         np.zeros((2, 2, 3), dtype=np.float32),
         Layers(
             np.zeros(layers, dtype=np.int64),

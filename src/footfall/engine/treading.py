@@ -17,6 +17,7 @@ from footfall.blending.root import mix_point
 from footfall.compilation import small_kernel
 from footfall.engine.feet import carries
 from footfall.engine.foot_turns import turn_foot
+from footfall.engine.moment import Moment
 from footfall.engine.record import Character
 from footfall.engine.sole_points import move_points
 from footfall.engine.swinging import rise_below, swing_goal
@@ -81,21 +82,21 @@ def _raise_level(me: Character, rise: float) -> None:
 
 
 @small_kernel
-def keep_footprints(ground: Ground, rig: Rig, me: Character, dt: float) -> None:
+def keep_footprints(ground: Ground, rig: Rig, me: Character, moment: Moment, dt: float) -> None:
     """Hold the carrying feet where they are, let go of the others (stage 7)."""
     for side in range(2):
         planted = carries(me.support, side)
         if me.twisted:
-            turn_foot(me, side, planted, _grip(me, side), dt)
-        slide_x, slide_z = move_points(rig, me, side, dt)
+            turn_foot(me, moment, side, planted, _grip(me, side), dt)
+        slide_x, slide_z = move_points(rig, me, moment, side, dt)
         me.planted_time[side] = me.planted_time[side] + dt if planted else 0.0
         dx, dy, dz = _taken(ground, me, side, dt)
         below = me.foot_ground[side, me.on_toes[side]]
-        _feel(ground, rig, me, side, planted, dt)
+        _feel(ground, rig, me, moment, side, planted, dt)
         if not me.printed or me.placed:
             continue
         offset, velocity = me.foot_offset[side], me.foot_velocity[side]
-        needed = _needed_height(rig, me, side)
+        needed = _needed_height(rig, me, moment, side)
         if planted:
             offset[1] += dy + _swelled(ground, me, side, below + dy, dt)
             slide = (slide_x - dx, slide_z - dz)
@@ -106,20 +107,20 @@ def keep_footprints(ground: Ground, rig: Rig, me: Character, dt: float) -> None:
             release_foot(offset, velocity, goal, needed, speed, dt)
     _follow_ground(me, dt)
     if me.placed and me.printed and not is_level(ground):
-        _put_down(ground, rig, me)
+        _put_down(ground, rig, me, moment)
 
 
 @small_kernel
-def _put_down(ground: Ground, rig: Rig, me: Character) -> None:
+def _put_down(ground: Ground, rig: Rig, me: Character, moment: Moment) -> None:
     """Put the feet of a character that was put somewhere on the ground there, tilted as it is."""
     for side in range(2):
         planted = carries(me.support, side)
-        move_points(rig, me, side, 0.0)
-        _feel(ground, rig, me, side, planted, 0.0)
-        move_points(rig, me, side, 0.0)
+        move_points(rig, me, moment, side, 0.0)
+        _feel(ground, rig, me, moment, side, planted, 0.0)
+        move_points(rig, me, moment, side, 0.0)
     _follow_ground(me, 0.0)
     for side in range(2):
-        height = _needed_height(rig, me, side)
+        height = _needed_height(rig, me, moment, side)
         if not carries(me.support, side):
             height = max(height, me.ground_below[side] - me.level[0])
         me.foot_offset[side, 1] = height
@@ -158,7 +159,9 @@ def _swelled(ground: Ground, me: Character, side: int, below: float, dt: float) 
 
 
 @small_kernel
-def _feel(ground: Ground, rig: Rig, me: Character, side: int, planted: bool, dt: float) -> None:
+def _feel(
+    ground: Ground, rig: Rig, me: Character, moment: Moment, side: int, planted: bool, dt: float
+) -> None:
     """Find the ground under heel and toe, and tilt the sole towards its slope."""
     offset = me.foot_offset[side]
     slope_x, slope_z, surface = 0.0, 0.0, -1
@@ -178,7 +181,7 @@ def _feel(ground: Ground, rig: Rig, me: Character, side: int, planted: bool, dt:
     if planted or me.placed:
         me.ground_below[side] = 0.5 * (me.foot_ground[side, 0] + me.foot_ground[side, 1])
     if not planted:
-        low = rig.leg_length * min(me.heights[side, 0], me.heights[side, 1])
+        low = rig.leg_length * min(moment.heights[side, 0], moment.heights[side, 1])
         share = min(max(1.0 - low / TILT_HEIGHT, 0.0), 1.0)
     goal_x, goal_z = share * slope_x, share * slope_z
     if me.placed:
@@ -188,11 +191,11 @@ def _feel(ground: Ground, rig: Rig, me: Character, side: int, planted: bool, dt:
 
 
 @small_kernel
-def _needed_height(rig: Rig, me: Character, side: int) -> float:
+def _needed_height(rig: Rig, me: Character, moment: Moment, side: int) -> float:
     """Return how far a foot must be raised for its lowest point to touch the ground [m]."""
     needed = 0.0
     for point in range(2):
-        own = me.level[0] + rig.leg_length * me.heights[side, point] + me.tilt_rise[side, point]
+        own = me.level[0] + rig.leg_length * moment.heights[side, point] + me.tilt_rise[side, point]
         rise = me.foot_ground[side, point] - own
         needed = rise if point == 0 else max(needed, rise)
     return needed

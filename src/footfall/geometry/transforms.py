@@ -6,11 +6,16 @@ A frame is written ``a_from_b``: it takes points seen from b to points seen from
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
 from footfall.compilation import small_kernel
 
-__all__ = ["apply", "compose", "inverse", "relative", "turn"]
+__all__ = ["apply", "compose", "cosine_and_sine", "inverse", "relative", "turn"]
+
+SMALL = 0.125 * 0.125
+"""Square of an angle of which a few terms give cosine and sine to the last bit [rad²]."""
 
 
 @small_kernel
@@ -28,6 +33,21 @@ def apply(
     """
     cosine, sine = np.cos(heading), np.sin(heading)
     return (frame_x + cosine * x + sine * z, frame_z - sine * x + cosine * z)
+
+
+@small_kernel
+def cosine_and_sine(angle: float) -> tuple[float, float]:
+    """Return both of an angle [rad], a number; fast where it is small, as what one frame turns."""
+    square = angle * angle
+    if square > SMALL:
+        return math.cos(angle), math.sin(angle)
+    # Taylor's series; what is left out is below the last bit.
+    cosine = 1.0 / 40320.0 - square * (1.0 / 3628800.0)
+    cosine = 1.0 / 24.0 - square * (1.0 / 720.0 - square * cosine)
+    sine = 1.0 / 120.0 - square * (1.0 / 5040.0 - square * (1.0 / 362880.0))
+    return 1.0 - square * (0.5 - square * cosine), angle * (
+        1.0 - square * (1.0 / 6.0 - square * sine)
+    )
 
 
 @small_kernel
