@@ -18,6 +18,7 @@ __all__ = [
     "Rotations",
     "Seconds",
     "SmallFloats",
+    "SmallIndices",
     "Supports",
     "Weights",
     "frozen",
@@ -27,7 +28,7 @@ Floats = npt.NDArray[np.float64]
 """Any real numbers; the docstring says which."""
 
 SmallFloats = npt.NDArray[np.float32]
-"""The same in single precision: the packed keys of the motion library."""
+"""The same in single precision: packed keys, and what a character has no need to know better."""
 
 Positions = npt.NDArray[np.float64]
 """Points or displacements [m], shape (..., 3), y up."""
@@ -46,6 +47,9 @@ Supports = npt.NDArray[np.int64]
 
 Indices = npt.NDArray[np.int64]
 """Indices of joints, frames, phases or slots."""
+
+SmallIndices = npt.NDArray[np.int16]
+"""The same where there are few, in the records of characters."""
 
 Flags = npt.NDArray[np.bool_]
 """Booleans; the docstring says what is claimed."""

@@ -41,6 +41,7 @@ def blend(
         np.array([frame + (fraction > 0.0) for frame in frames], dtype=np.int64),
         np.full(count, fraction, dtype=np.float32),
         np.array(weights, dtype=np.float32).reshape(count, len(BodyPart)),
+        np.array([len(set(shares)) == 1 for shares in weights]),
     )
     masks = np.zeros((len(BodyPart), padded), dtype=np.float32)
     masks[[*PARTS, BodyPart.LEGS, BodyPart.LEGS], np.arange(JOINTS + 2)] = 1.0

@@ -106,7 +106,7 @@ def check_state(hero: ff.Character) -> None:
         ended = has_ended(crowd.shelf.table, int(me["sequence"][seat]), int(me["phases"][seat, 0]))
         if not warped or ended:
             continue
-        t0, h0, v0, t1, h1, v1 = me["segment"][seat].tolist()
+        (t0, t1), (h0, v0, h1, v1) = me["span"].tolist(), me["segment"][seat].tolist()
         assert h1 >= h0
         if t1 > t0:
             here = warp(float(me["clock"]), t0, h0, v0, t1, h1, v1, False)
@@ -124,7 +124,7 @@ def pass_time(hero: ff.Character, dt: float) -> None:
         left = (1.0 - float(me["slot_progress"])) * float(me["slot_duration"])
         step = min(dt, 1 / 60, left if left > 1e-6 else dt)
         before, clock, slot = clocks(me), float(me["clock"]), int(me["slot_index"])
-        ends, rest = me["segment"][:, 3:].copy(), weights_rest(me)
+        end, ends, rest = float(me["span"][1]), me["segment"][:, 2:].copy(), weights_rest(me)
         hero.advance(step)
         check_state(hero)
         for key, (clip_time, rate, warped) in clocks(me).items():
@@ -135,11 +135,11 @@ def pass_time(hero: ff.Character, dt: float) -> None:
             if not (warped and was_warped):
                 continue
             seat = key[1]
-            t0, h0, v0 = me["segment"][seat, :3].tolist()
+            t0, h0, v0 = float(me["span"][0]), *me["segment"][seat, :2].tolist()
             if abs(t0 - clock) < CLOSE and int(me["slot_index"]) == slot:
                 # Built anew: from where the clip was, with the speed that it had.
                 assert (h0, v0) == pytest.approx((was_time, was_rate), abs=CLOSE)
-            t1, h1, v1 = ends[seat].tolist()
+            t1, h1, v1 = end, *ends[seat].tolist()
             table, phase = hero.crowd.shelf.table, int(me["phases"][seat, 0])
             over = has_ended(table, int(me["sequence"][seat]), phase)
             entered = int(me["slot_index"]) == slot + 1

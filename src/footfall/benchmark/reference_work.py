@@ -124,6 +124,7 @@ def _list_layers(task: Task, row: int, layers: Layers) -> None:
         frame = task.frames[row, layer]
         layers.frames[layer], layers.after[layer] = frame, frame + 1
         layers.fractions[layer] = task.fractions[row, layer]
+        layers.whole[layer] = False
         for part in range(task.weights.shape[2]):
             layers.weights[layer, part] = task.weights[row, layer, part]
 

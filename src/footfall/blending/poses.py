@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from footfall.arrays import Indices, SmallFloats
+from footfall.arrays import Flags, Indices, SmallFloats
 from footfall.compilation import small_kernel
 from footfall.octet_memory import load, spread, store
 from footfall.octets import LANES, select, square_root
@@ -36,6 +36,9 @@ class Layers(NamedTuple):
     weights: SmallFloats
     """Weight on each body part, shape (layers, parts)."""
 
+    whole: Flags
+    """Whether it is the same on all of them, shape (layers,)."""
+
 
 @small_kernel
 def blend_layers(
@@ -58,9 +61,12 @@ def blend_layers(
     for row in range(0, rows, LANES):
         w, x, y, z = spread(0.0), spread(0.0), spread(0.0), spread(0.0)
         for layer in range(count):
-            share = spread(0.0)
-            for part in range(part_masks.shape[0]):
-                share = share + load(part_masks, part * rows + row) * layers.weights[layer, part]
+            share = spread(layers.weights[layer, LEGS])
+            if not layers.whole[layer]:
+                share = spread(0.0)
+                for part in range(part_masks.shape[0]):
+                    mask = load(part_masks, part * rows + row)
+                    share = share + mask * layers.weights[layer, part]
             before = layers.frames[layer] * stride + row
             after = layers.after[layer] * stride + row
             fraction = layers.fractions[layer]

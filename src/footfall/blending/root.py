@@ -36,8 +36,9 @@ def correct_displacement(
     Args:
         heading: How far the root turns in this step [rad].
         slide: What the motions themselves let the foot slide, weighted.
-        before: Blended heel and toe of each foot before the step, relative to the root.
-        after: The same after the step.
+        before: Blended heel and toe of each foot before the step, relative to the root, x and z,
+            shape (2, 2, 2).
+        after: The same after the step, shape (2, 2, 3).
         side: Which foot carries.
         toe_share: Where between heel (0) and toe (1) it carries.
     """
@@ -47,5 +48,5 @@ def correct_displacement(
     )
     return (
         slide[0] + mix_point(before, side, toe_share, 0) - x,
-        slide[1] + mix_point(before, side, toe_share, 2) - z,
+        slide[1] + mix_point(before, side, toe_share, 1) - z,
     )

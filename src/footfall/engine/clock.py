@@ -115,23 +115,24 @@ def _run_clips(shelf: Shelf, me: Character, step: float, slot_ends: bool) -> boo
         Whether one is over, and begins to fade out.
     """
     over = False
+    first, last = me.span[0], me.span[1]
     for seat in range(me.occupied):
         if me.status[seat] < RUNNING:
             continue
         if me.synchronized and me.playing[seat] and not me.muted[seat]:
             part = me.segment[seat]
             if slot_ends:
-                me.clip_time[seat] = part[4]
-                me.rate[seat] = part[5]
+                me.clip_time[seat] = part[2]
+                me.rate[seat] = part[3]
             else:
                 clip_time, rate = warp(
                     me.clock + step,
+                    first,
                     part[0],
                     part[1],
+                    last,
                     part[2],
                     part[3],
-                    part[4],
-                    part[5],
                     shelf.use_paper_cubic,
                 )
                 me.clip_time[seat], me.rate[seat] = clip_time, rate

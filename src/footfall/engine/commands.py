@@ -164,11 +164,11 @@ def catch_up_rows(
         me: Character = characters[int(rows[place])]
         now = me.clock
         pass_time(shelf, me, search, rules, ahead[place])
+        for end in range(2):
+            me.span[end] -= ahead[place]
         for seat in range(me.occupied):
             if me.status[seat] >= RUNNING:
                 me.posed_time[seat] = me.clip_time[seat]
-            for time in (0, 3):
-                me.segment[seat, time] -= ahead[place]
             me.patience[seat] -= ahead[place]
         me.clock = now
 

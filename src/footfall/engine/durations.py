@@ -125,22 +125,21 @@ def bend_warps(shelf: Shelf, me: Character) -> None:
         return
     now = me.clock
     left = (1.0 - me.slot_progress) * duration
+    me.span[0], me.span[1] = now, now + left
     for seat in range(me.occupied):
         if not me.playing[seat] or me.muted[seat]:
             continue
         segment = me.segment[seat]
-        segment[0] = now
-        segment[1] = me.clip_time[seat]
-        segment[2] = me.rate[seat]
-        segment[3] = now + left
-        segment[4] = me.target[seat]
-        mean = (segment[4] - segment[1]) / left if left > 0.0 else 0.0
+        segment[0] = me.clip_time[seat]
+        segment[1] = me.rate[seat]
+        segment[2] = me.target[seat]
+        mean = (segment[2] - segment[0]) / left if left > 0.0 else 0.0
         if shelf.use_paper_cubic:
-            segment[5] = end_slope_paper(mean, segment[2])
+            segment[3] = end_slope_paper(mean, segment[1])
             continue
         ahead = me.pace[seat, 1]
         # An action that ends there goes on at its speed: a clip alone plays as it was.
-        segment[5] = end_slope(mean, ahead) if ahead > 0.0 else mean
+        segment[3] = end_slope(mean, ahead) if ahead > 0.0 else mean
 
 
 @small_kernel

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Annotated
 
-from footfall.arrays import Flags, Floats, Indices, Positions, Seconds
+from footfall.arrays import Flags, Floats, Indices, Positions, Seconds, SmallFloats
 
 __all__ = ["Feet"]
 
@@ -15,16 +15,16 @@ class Feet:
     foot_ground: Annotated[Floats, 2, 2]
     """Height of the ground under heel and toe of each foot [m], shape (2, 2)."""
 
-    foot_slope: Annotated[Floats, 2, 2]
+    foot_slope: Annotated[SmallFloats, 2, 2]
     """How the sole of each foot is tilted: rise per meter along the world's x and z, (2, 2)."""
 
-    tilt: Annotated[Floats, 2, 2]
+    tilt: Annotated[SmallFloats, 2, 2]
     """The tilt of each sole in the pose shown last, likewise, shape (2, 2)."""
 
-    tilt_rise: Annotated[Floats, 2, 2]
+    tilt_rise: Annotated[SmallFloats, 2, 2]
     """How far that raises heel and toe [m], shape (2, 2)."""
 
-    ground_slope: Annotated[Floats, 2, 2]
+    ground_slope: Annotated[SmallFloats, 2, 2]
     """How the ground under each foot is tilted, likewise, shape (2, 2)."""
 
     ground_below: Annotated[Floats, 2]
@@ -43,7 +43,7 @@ class Feet:
     landing_time: Annotated[Seconds, 2]
     """How long until it lands [s]; -1 where that is not foreseen, shape (2,)."""
 
-    toe_velocity: Annotated[Floats, 2, 2]
+    toe_velocity: Annotated[SmallFloats, 2, 2]
     """How fast the blended toes go over the ground, x and z [m/s], shape (2, 2)."""
 
     world_points: Annotated[Positions, 2, 2, 3]
@@ -58,19 +58,19 @@ class Feet:
     planted_time: Annotated[Seconds, 2]
     """How long each foot has been carrying [s], 0 while it does not, shape (2,)."""
 
-    toe_shares: Annotated[Floats, 2]
+    toe_shares: Annotated[SmallFloats, 2]
     """Where between heel (0) and toe (1) each foot carries, on its way to `on_toes`, (2,)."""
 
-    slide_speeds: Annotated[Floats, 2, 2]
+    slide_speeds: Annotated[SmallFloats, 2, 2]
     """How fast the motions themselves let heel and toe slide, smoothed [m/s], shape (2, 2)."""
 
     on_toes: Annotated[Flags, 2]
     """Whether the toe of each foot carries rather than its heel, shape (2,)."""
 
-    shown_ankles: Annotated[Floats, 2, 2]
+    shown_ankles: Annotated[SmallFloats, 2, 2]
     """Where the ankles were shown last, footprints included, x and z relative to the root in leg
     lengths, shape (2, 2)."""
 
-    stance: Annotated[Floats, 2, 2]
+    stance: Annotated[SmallFloats, 2, 2]
     """How far each foot then stands from where the neutral pose has it, x and z in leg lengths,
     shape (2, 2)."""

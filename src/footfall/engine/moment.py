@@ -35,6 +35,15 @@ class Moment:
     heights: Annotated[Floats, 2, 2]
     """Their heights over where they rest, in leg lengths, shape (2, 2)."""
 
+    step: float
+    """Of the frame for which the following numbers hold [s]; they are the same for most rows."""
+
+    kept_speed: float
+    """What is left after that time of a difference of smoothed speed, 0..1."""
+
+    kept_roll: float
+    """The same of the way between heel and toe."""
+
     foreseen_points: Annotated[Positions, 2, 2, 3]
     """Heel and toe of each foot at the end of the slot, relative to the root, in leg lengths,
     shape (2, 2, 3)."""

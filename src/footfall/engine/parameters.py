@@ -223,8 +223,8 @@ def keep_places(characters: npt.NDArray[Any], action: int, old: Seconds, new: Se
             me.rate[seat] *= pace
             me.natural[seat] *= pace
             for end in range(2):
-                me.segment[seat, 1 + 3 * end] = _moved(old, new, me.segment[seat, 1 + 3 * end])[0]
-                me.segment[seat, 2 + 3 * end] *= pace
+                me.segment[seat, 2 * end] = _moved(old, new, me.segment[seat, 2 * end])[0]
+                me.segment[seat, 2 * end + 1] *= pace
             me.unsettled = True
 
 

@@ -7,7 +7,7 @@ from typing import cast
 
 import numpy as np
 
-from footfall.adaptation.footprints import ROLL_TIME, SPEED_TIME, approach, toe_lead
+from footfall.adaptation.footprints import ROLL_TIME, SPEED_TIME, toe_lead
 from footfall.blending.poses import Layers, blend_layers
 from footfall.blending.root import correct_displacement
 from footfall.compilation import small_kernel
@@ -78,11 +78,12 @@ def _add_layer(
     me: Character, seat: int, frame: int, fraction: float, layers: Layers, count: int
 ) -> int:
     """List one motion among those that are mixed; return how many that adds: 0 or 1."""
-    heaviest = 0.0
+    heaviest = lightest = me.weights[seat, LEGS]
     for part in range(PARTS):
         weight = me.weights[seat, part]
         layers.weights[count, part] = weight
-        heaviest = max(heaviest, weight)
+        heaviest, lightest = max(heaviest, weight), min(lightest, weight)
+    layers.whole[count] = heaviest == lightest
     if heaviest <= 0.0:
         return 0
     layers.frames[count] = frame
@@ -95,6 +96,9 @@ def _add_layer(
 def move_root(rig: Rig, me: Character, moment: Moment, dt: float) -> None:
     """Move the root as the motions do, corrected so that the carrying feet stay (stage 6)."""
     step_x, step_z, turn = moment.way[0], moment.way[1], steered_turn(me, moment, dt)
+    if dt != moment.step:
+        moment.step = dt
+        moment.kept_speed, moment.kept_roll = math.exp(-dt / SPEED_TIME), math.exp(-dt / ROLL_TIME)
     _choose_points(rig, me, moment, dt)
     if me.synchronized and not me.fresh:
         step_x, step_z = _corrected(me, moment, step_x, step_z, turn)
@@ -107,8 +111,8 @@ def move_root(rig: Rig, me: Character, moment: Moment, dt: float) -> None:
     me.facing[1] = sine * turned_cosine + cosine * turned_sine
     for side in range(2):
         for point in range(2):
-            for axis in range(3):
-                me.blended_points[side, point, axis] = moment.points[side, point, axis]
+            me.blended_points[side, point, 0] = moment.points[side, point, 0]
+            me.blended_points[side, point, 1] = moment.points[side, point, 2]
 
 
 @small_kernel
@@ -128,8 +132,8 @@ def _choose_points(rig: Rig, me: Character, moment: Moment, dt: float) -> None:
             if dt > 0.0:
                 x, z = _slide(moment, side, point)
                 speed = leg * math.sqrt(x * x + z * z) / dt
-                smooth = approach(me.slide_speeds[side, point], speed, SPEED_TIME, dt)
-                me.slide_speeds[side, point] = smooth
+                away = me.slide_speeds[side, point] - speed
+                me.slide_speeds[side, point] = speed + away * moment.kept_speed
         lead = toe_lead(
             leg * moment.heights[side, 0],
             leg * moment.heights[side, 1],
@@ -139,8 +143,8 @@ def _choose_points(rig: Rig, me: Character, moment: Moment, dt: float) -> None:
         if abs(lead) > 1.0 or me.fresh:
             me.on_toes[side] = lead > 0.0
         goal = 1.0 if me.on_toes[side] else 0.0
-        share = goal if me.fresh else approach(me.toe_shares[side], goal, ROLL_TIME, dt)
-        me.toe_shares[side] = share
+        kept = 0.0 if me.fresh else moment.kept_roll
+        me.toe_shares[side] = goal + (me.toe_shares[side] - goal) * kept
 
 
 @small_kernel

@@ -8,8 +8,9 @@ from footfall.arrays import (
     Flags,
     Floats,
     Indices,
-    Positions,
     Seconds,
+    SmallFloats,
+    SmallIndices,
     Supports,
     Weights,
 )
@@ -119,10 +120,10 @@ class Character(Feet):
     changing: bool
     """Whether a priority is on its way to another one."""
 
-    status: Annotated[Indices, SEATS]
+    status: Annotated[SmallIndices, SEATS]
     """`EMPTY`, `WAITING`, `RUNNING` or `LEAVING`, shape (seats,)."""
 
-    action: Annotated[Indices, SEATS]
+    action: Annotated[SmallIndices, SEATS]
     """Which action of the library, shape (seats,)."""
 
     clip_time: Annotated[Seconds, SEATS]
@@ -134,8 +135,9 @@ class Character(Feet):
     posed_time: Annotated[Seconds, SEATS]
     """Clip time of the pose shown last, shape (seats,)."""
 
-    blended_points: Annotated[Positions, 2, 2, 3]
-    """Heel and toe of the blended feet in the pose shown last, as `Moment.points`, (2, 2, 3)."""
+    blended_points: Annotated[Floats, 2, 2, 2]
+    """Heel and toe of the blended feet in the pose shown last, x and z relative to the root, in leg
+    lengths, shape (2, 2, 2)."""
 
     stands: bool
     """Whether the neutral motion has weight on the legs."""
@@ -146,11 +148,15 @@ class Character(Feet):
     pelvis_drop: Annotated[Floats, 2]
     """How far the pelvis is lowered for a leg to reach [m], and how fast [m/s] (2,)."""
 
-    weights: Annotated[Weights, SEATS + 1, PARTS]
+    weights: Annotated[SmallFloats, SEATS + 1, PARTS]
     """Weight on each body part; the last seat is the neutral motion. (seats + 1, parts)."""
 
-    segment: Annotated[Floats, SEATS, 6]
-    """The time warp of the slot: t0, h0, v0, t1, h1, v1, shape (seats, 6)."""
+    span: Annotated[Seconds, 2]
+    """Clock time at which the time warps of the slot begin and end [s], shape (2,)."""
+
+    segment: Annotated[Floats, SEATS, 4]
+    """The time warp of each action: clip time and rate at the beginning of `span`, and at its end,
+    shape (seats, 4)."""
 
     fade_progress: Annotated[Floats, SEATS, 2]
     """How far it is, on the legs and on the rest of the body, shape (seats, 2)."""

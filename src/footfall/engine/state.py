@@ -143,16 +143,19 @@ def new_characters(rows: int, lookahead: int) -> npt.NDArray[Any]:
 def new_workspace(joints: int) -> Workspace:
     """Return the memory in which one thread works."""
     rows, layers = padded_count(joints), SEATS + 1
+    moments = records(np.zeros(1, dtype=moment_type))
+    moments["step"] = -1.0
     return Workspace(
         new_search_memory(),
         np.zeros((LANES, joints, PLACEMENT), dtype=np.float32),
-        records(np.zeros(1, dtype=moment_type)),
+        moments,
         np.zeros((2, 2, 3), dtype=np.float32),
         Layers(
             np.zeros(layers, dtype=np.int64),
             np.zeros(layers, dtype=np.int64),
             np.zeros(layers, dtype=np.float32),
             np.zeros((layers, len(BodyPart)), dtype=np.float32),
+            np.zeros(layers, dtype=np.bool_),
         ),
         np.zeros((LANES, 4 * rows + LANES), dtype=np.float32),
         np.zeros((4, rows, LANES), dtype=np.float32),
