@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from footfall.arrays import Seconds, Weights
+from footfall.arrays import Seconds, SmallFloats, Weights
 from footfall.compilation import lean_kernel, small_kernel
 
 __all__ = ["normalize_weights", "slot_duration"]
@@ -12,7 +12,7 @@ LONE = 0.1
 
 
 @lean_kernel
-def normalize_weights(priorities: Weights, levels: Weights, out: Weights) -> None:
+def normalize_weights(priorities: Weights, levels: Weights, out: Weights | SmallFloats) -> None:
     """Share each body part among the actions, and give what they leave to the neutral motion.
 
     On one body part, with priority P and level L of each action and sums over the actions that
