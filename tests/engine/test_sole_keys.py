@@ -15,7 +15,7 @@ from footfall.geometry import conjugate, from_yaw, rotate
 from footfall.motion import extract_root_path, with_soles
 from footfall.octet_memory import store
 from footfall.skeleton import find_anatomy
-from footfall.skeleton.normalized import normalize
+from footfall.skeleton.normalized import by_component, normalize
 from footfall.skeleton.rig import rig_of
 
 some_keys: Any = arrays(np.float32, (4, 8), elements=st.floats(-1.0, 1.0, width=32))
@@ -56,7 +56,11 @@ def test_points_are_where_the_body_has_its_heels_and_toes() -> None:
     keys = normalize(
         clip.skeleton, rig, clip.pelvis_positions, clip.local_rotations, path.headings, 0.0
     )
-    found = sole_keys_of(keys, rig.foot_points / rig.leg_length)
+    found = sole_keys_of(
+        by_component(keys, clip.skeleton.count),
+        clip.skeleton.count,
+        rig.foot_points / rig.leg_length,
+    )
     # The root is on the ground under the pelvis.
     root = positions[:, 0] * [1.0, 0.0, 1.0]
     root_from_world = conjugate(from_yaw(path.headings))

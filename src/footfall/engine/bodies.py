@@ -11,6 +11,7 @@ from footfall.engine.hands import Palms, palms_of
 from footfall.engine.library import MotionLibrary
 from footfall.engine.parameters import Parameters, Parts
 from footfall.engine.shelf import Shelf
+from footfall.engine.sole_keys import sole_keys_of
 from footfall.skeleton import Skeleton
 from footfall.skeleton.arm_ik import arm_rig_of
 from footfall.skeleton.rig import Rig
@@ -80,8 +81,9 @@ class Body:
 
         Feet belong to a body: the arrays are all the same but for where its heels and toes are.
         """
-        points = self.rig.foot_points / self.rig.leg_length
-        self.shelf: Shelf = self.repertoire.shelf._replace(points=points)
+        packed, points = self.repertoire.shelf, self.rig.foot_points / self.rig.leg_length
+        soles = sole_keys_of(packed.keys, packed.joints, points)
+        self.shelf: Shelf = packed._replace(points=points, sole_keys=soles)
 
     @cached_property
     def palms(self) -> Palms:

@@ -182,10 +182,11 @@ class MotionLibrary(LibrarySources):
         sequences = [action.supports for action in actions]
         standing_root, points = np.zeros((1, 3)), rig.foot_points / rig.leg_length
         resting = [*(action.packed.resting_heights for action in actions), self._resting]
+        packed = by_component(keys, joints)
         return Shelf(
-            keys=by_component(keys, joints),
+            keys=packed,
             roots=np.concatenate([*(action.packed.roots for action in actions), standing_root]),
-            sole_keys=sole_keys_of(keys, points),
+            sole_keys=sole_keys_of(packed, joints, points),
             entries=entries_of(actions),
             resting_heights=resting_octets(resting),
             table=SequenceTable.of(sequences),

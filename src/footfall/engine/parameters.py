@@ -140,7 +140,11 @@ class Parameters:
         return {"values": np.array(told), "supports": np.array(shelf.table.supports)}
 
     def restore(
-        self, shelf: Shelf, actions: Sequence[Action], told: Mapping[str, npt.NDArray[Any]]
+        self,
+        shelf: Shelf,
+        parts: Parts,
+        actions: Sequence[Action],
+        told: Mapping[str, npt.NDArray[Any]],
     ) -> None:
         """Go back to what `snapshot` told, and write every mix as it was."""
         first = 0
@@ -152,7 +156,7 @@ class Parameters:
                 kept = {phase: Support(kind) for phase, kind in enumerate(kinds)}
                 mix = action.locomotion.mix(speed, turn, kept=kept)
                 self._values[index] = _Value((speed, turn), (asked[0], asked[1]), mix.supports)
-                _write_mix(shelf, index, mix)
+                _write_mix(shelf, parts, index, mix)
 
     def _move(
         self,
@@ -167,7 +171,7 @@ class Parameters:
         mix = action.locomotion.mix(*now, kept=_kept(parts, index, value.supports))
         self._values[index] = _Value(now, value.asked, mix.supports)
         old = np.array(value.supports.boundaries)
-        _write_mix(shelf, index, mix)
+        _write_mix(shelf, parts, index, mix)
         for _, part in parts:
             keep_places(part, index, old, np.array(mix.supports.boundaries))
 
@@ -187,12 +191,14 @@ def _kept(parts: Parts, index: int, supports: SupportSequence) -> dict[int, Supp
     return {phase: supports.phases[phase].support for phase in phases}
 
 
-def _write_mix(shelf: Shelf, index: int, mix: CycleMix) -> None:
+def _write_mix(shelf: Shelf, parts: Parts, index: int, mix: CycleMix) -> None:
     """Write a mix over the old one of the same action."""
     entry: Any = shelf.entries[index]
     first, count = int(entry["first_frame"]), int(entry["frame_count"])
     shelf.keys[first : first + count] = by_component(mix.keys, shelf.joints)
-    shelf.sole_keys[first : first + count] = sole_keys_of(mix.keys, shelf.points)
+    frames = slice(first, first + count)
+    for own in (shelf, *(part for part, _ in parts)):
+        own.sole_keys[frames] = sole_keys_of(shelf.keys[frames], shelf.joints, own.points)
     shelf.roots[first : first + count] = mix.roots
     entry["duration"] = mix.supports.duration
     entry["fps"] = (count - 1) / mix.supports.duration

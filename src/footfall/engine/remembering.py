@@ -74,7 +74,7 @@ class Remembering(Meeting):
         self._layout.poses[:] = snapshot["poses"]
         for number, one in enumerate(self._bodies.repertoires):
             told = {name: snapshot[f"{GAIT}{name}_{number}"] for name in ("values", "supports")}
-            one.parameters.restore(one.shelf, one.library.actions, told)
+            one.parameters.restore(one.shelf, self._parts(one), one.library.actions, told)
         self._empty_hands(np.arange(rows))
         if HAND + "task" in needed:
             _write(HAND, self._make_hands(), snapshot)

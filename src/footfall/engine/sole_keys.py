@@ -17,7 +17,7 @@ from footfall.geometry import rotate
 from footfall.geometry.transforms import cosine_and_sine
 from footfall.octet_memory import load
 from footfall.octets import LANES
-from footfall.skeleton.normalized import ANKLES, EFFECTORS
+from footfall.skeleton.normalized import ANKLES
 
 __all__ = ["resting_octets", "sole_keys_of", "sole_slides"]
 
@@ -25,22 +25,23 @@ SHORTEST = 1e-12
 """Length below which a rotation is none."""
 
 
-def sole_keys_of(keys: SmallFloats, points: Positions) -> SmallFloats:
+def sole_keys_of(keys: SmallFloats, joints: int, points: Positions) -> SmallFloats:
     """Return where heel and toe of each foot are in normalized poses.
 
     Args:
-        keys: Normalized poses, shape (frames, channels).
+        keys: Normalized poses by component, as `Shelf.keys`, shape (frames, 4 rows + 8).
+        joints: How many joints they have.
         points: Heel and toe of each foot in the ankle's frame, in leg lengths, shape (2, 2, 3).
 
     Returns:
         As `Shelf.sole_keys`, shape (frames, 16).
     """
-    ankles = keys.shape[1] - EFFECTORS + ANKLES
-    feet = keys.shape[1] - EFFECTORS - LANES
+    rows = (keys.shape[1] - LANES) // 4
+    ankles = 4 * rows + ANKLES
     out = np.empty((len(keys), 2 * LANES), dtype=np.float32)
     for side in range(2):
         place = keys[:, ankles + 3 * side : ankles + 3 * side + 3].astype(np.float64)
-        foot = keys[:, feet + 4 * side : feet + 4 * side + 4].astype(np.float64)
+        foot = keys[:, joints + side : 4 * rows : rows].astype(np.float64)
         foot /= np.maximum(np.linalg.norm(foot, axis=1, keepdims=True), SHORTEST)
         for point in range(2):
             at = place + rotate(foot, points[side, point])
