@@ -19,7 +19,7 @@ from footfall.engine.starting import enter_muted, retry_waiting
 from footfall.engine.state import EMPTY, LEAVING, RUNNING, STARTS_MUTED, WAITING
 from footfall.skeleton import BodyPart
 from footfall.support import Support
-from footfall.sync.search_memory import SearchMemories
+from footfall.sync.search_memory import PlannerMemory
 from footfall.sync.tables import Rules
 from footfall.timing import advance_progress, warp
 
@@ -42,7 +42,7 @@ SAME_MOMENT = 1e-9
 
 
 @small_kernel
-def pass_time(shelf: Shelf, me: Character, search: SearchMemories, rules: Rules, dt: float) -> None:
+def pass_time(shelf: Shelf, me: Character, search: PlannerMemory, rules: Rules, dt: float) -> None:
     """Let `dt` seconds pass on one character's clocks."""
     if me.unsettled:
         replan(shelf, me, search, rules)
@@ -172,12 +172,12 @@ def _run_fades(me: Character, step: float, moving: bool) -> None:
         for group in range(2):
             me.fade_progress[seat, group] = advance_progress(
                 me.fade_progress[seat, group],
-                me.fade_elapsed[seat, group],
+                me.fade_elapsed[seat] if group == 0 else 0.0,
                 asked,
                 step,
                 pace if group == 0 else 1.0,
             )
-            me.fade_elapsed[seat, group] += step
+        me.fade_elapsed[seat] += step
 
 
 @small_kernel
@@ -209,7 +209,7 @@ def _fade_pace(me: Character, step: float) -> float:
 
 
 @inlined_kernel
-def _settle(shelf: Shelf, me: Character, search: SearchMemories, rules: Rules) -> None:
+def _settle(shelf: Shelf, me: Character, search: PlannerMemory, rules: Rules) -> None:
     """Let go what has faded out beside the schedule, and say what carries the body."""
     standing = True
     for seat in range(me.occupied):

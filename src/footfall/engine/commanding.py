@@ -32,7 +32,7 @@ from footfall.engine.workers import Workers
 from footfall.errors import ArgumentError
 from footfall.skeleton.rig import Rig
 from footfall.sync.refusal import Refusal
-from footfall.sync.search_memory import SearchMemories
+from footfall.sync.search_memory import PlannerMemory
 from footfall.sync.tables import Rules
 
 __all__ = ["Commanding"]
@@ -210,7 +210,7 @@ class Commanding:
         return self._bodies.all[0].shelf
 
     @property
-    def search(self) -> SearchMemories:
+    def search(self) -> PlannerMemory:
         """Memory of the planner."""
         return self._workers.search
 

@@ -16,7 +16,7 @@ from footfall.engine.slots import begin_leaving
 from footfall.engine.starting import NONE, enter_action
 from footfall.engine.state import EMPTY, RUNNING, WAITING
 from footfall.skeleton import BodyPart
-from footfall.sync.search_memory import SearchMemories
+from footfall.sync.search_memory import PlannerMemory
 from footfall.sync.tables import Rules
 from footfall.timing import reverse_fade
 
@@ -43,7 +43,7 @@ NOBODY = -1
 def start_rows(
     shelf: Shelf,
     characters: npt.NDArray[Any],
-    search: SearchMemories,
+    search: PlannerMemory,
     rules: Rules,
     rows: Indices,
     action: int,
@@ -85,7 +85,7 @@ def row_without_seat(shelf: Shelf, characters: npt.NDArray[Any], rows: Indices, 
 def _start_row(
     shelf: Shelf,
     me: Character,
-    search: SearchMemories,
+    search: PlannerMemory,
     rules: Rules,
     action: int,
     patience: float,
@@ -137,7 +137,7 @@ def _rises(shelf: Shelf, me: Character, seat: int) -> bool:
     """
     entry = shelf.entries[me.action[seat]]
     over = me.clip_time[seat] >= entry.duration and not entry.cyclic
-    scheduled = me.synchronized and me.priorities[seat, LEGS] > 0.0
+    scheduled = me.synchronized and me.priorities_asked[seat, LEGS] > 0.0
     return not over and (me.playing[seat] or not scheduled)
 
 
@@ -145,7 +145,7 @@ def _rises(shelf: Shelf, me: Character, seat: int) -> bool:
 def catch_up_rows(
     shelf: Shelf,
     characters: npt.NDArray[Any],
-    search: SearchMemories,
+    search: PlannerMemory,
     rules: Rules,
     rows: Indices,
     ahead: Seconds,
@@ -180,10 +180,10 @@ def _take_seat(shelf: Shelf, me: Character, seat: int, action: int) -> None:
     me.sequence[seat] = action
     for part in range(PARTS):
         settle_priority(me, seat, part, shelf.entries[action].priorities[part])
-    me.priority[seat] = me.priorities[seat, LEGS]
+    me.priority[seat] = me.priorities_asked[seat, LEGS]
     me.starts += 1
     me.age[seat] = me.starts
-    me.fade_elapsed[seat, 0] = me.fade_elapsed[seat, 1] = 0.0
+    me.fade_elapsed[seat] = 0.0
     me.playing[seat] = False
     me.status[seat] = WAITING
     me.occupied = max(me.occupied, seat + 1)
@@ -197,7 +197,8 @@ def _rise_again(shelf: Shelf, me: Character, seat: int) -> None:
     for group in range(2):
         progress, elapsed = reverse_fade(me.fade_progress[seat, group], asked)
         me.fade_progress[seat, group] = progress
-        me.fade_elapsed[seat, group] = elapsed
+        if group == 0:
+            me.fade_elapsed[seat] = elapsed
 
 
 @lean_kernel
@@ -244,5 +245,5 @@ def prioritize_rows(
                 else:
                     ask_priority(me, seat, part, priorities[part], within)
             me.priority_seconds[seat] = within
-            me.priority[seat] = priorities[LEGS]
+            me.priority[seat] = me.priorities_asked[seat, LEGS]
             me.changing = me.changing or not unseen

@@ -84,7 +84,7 @@ class Crowd(Standing, Remembering, Populating):
         self._rules = rules_of(planner, ended="stop" if planner == "paper" else None)
         self._bodies = Bodies(library, planner)
         self._bodies.index_of(skeleton)
-        self._workers = Workers(threads)
+        self._workers = Workers(threads, lookahead)
         self._newborn = new_characters(1, lookahead)
         self._newborn["synchronized"] = synchronized
         self._newborn["printed"] = footprints and synchronized

@@ -8,10 +8,10 @@ from typing import cast
 import numpy as np
 
 from footfall.compilation import inner_kernel, small_kernel
-from footfall.engine.priority_changes import present_priorities
+from footfall.engine.priority_changes import present_priorities, read_levels
 from footfall.engine.record import Character
 from footfall.engine.shelf import Shelf, phase_end, phase_start
-from footfall.engine.state import LEAVING, RUNNING
+from footfall.engine.state import LEAVING
 from footfall.skeleton import BodyPart
 from footfall.support import Support
 from footfall.sync.columns import has_ended, support_of
@@ -21,8 +21,8 @@ from footfall.timing import (
     end_slope,
     end_slope_paper,
     level,
+    mean_vote,
     normalize_weights,
-    slot_duration,
 )
 
 __all__ = ["bend_warps", "rebuild_warps", "set_target", "update_weights"]
@@ -42,26 +42,18 @@ LAST_SLOT = 0.1
 @inner_kernel
 def update_weights(me: Character) -> None:
     """Work out every weight from priorities and levels (section 3, figure 2)."""
-    levels, taken = me.levels[: me.occupied], me.shares[: me.occupied]
     for group in range(2):
-        for seat in range(me.occupied):
-            levels[seat] = 0.0
-            progress = me.fade_progress[seat, group]
-            if me.status[seat] == RUNNING:
-                levels[seat] = level(progress)
-            elif me.status[seat] == LEAVING:
-                levels[seat] = 1.0 - level(progress)
-            if group == 0:
-                levels[seat] *= level(me.presence[seat])
+        read_levels(me, group)
+        levels = me.levels[: me.occupied]
         if me.changing:
             for part in range(group, 1 if group == 0 else PARTS):
-                present_priorities(me, part, levels, taken)
-                only = slice(part, part + 1)
-                normalize_weights(me.priorities[:, only], taken, me.weights[:, only])
+                present_priorities(me, part)
+                taken = me.taken[: me.occupied]
+                normalize_weights(me.priorities_now[:, :1], taken, me.weights[:, part : part + 1])
         elif group == 0:
-            normalize_weights(me.priorities[:, :1], levels, me.weights[:, :1])
+            normalize_weights(me.priorities_asked[:, :1], levels, me.weights[:, :1])
         else:
-            normalize_weights(me.priorities[:, 1:], levels, me.weights[:, 1:])
+            normalize_weights(me.priorities_asked[:, 1:], levels, me.weights[:, 1:])
     for seat in range(me.occupied):
         # What is to come, for the planner: a start is at its full weight soon, a stop has less.
         fading = me.status[seat] == LEAVING
@@ -151,6 +143,7 @@ def _duration(shelf: Shelf, me: Character) -> float:
     """
     planned = not shelf.use_paper_cubic
     voters = 0
+    total, weighted, plain = 0.0, 0.0, 0.0
     anybody = False
     soonest, latest = 0.0, math.inf
     for seat in range(me.occupied):
@@ -167,12 +160,12 @@ def _duration(shelf: Shelf, me: Character) -> float:
             continue
         support = support_of(shelf.table, me.sequence[seat], phase, ENDED_NEUTRAL)
         flies = planned and support == FLIGHT
-        me.votes[voters] = vote
-        me.shares[voters] = me.weights[seat, LEGS] * (FLIGHT_VOTE if flies else 1.0)
+        share = me.weights[seat, LEGS] * (FLIGHT_VOTE if flies else 1.0)
+        total, weighted, plain = total + share, weighted + share * vote, plain + vote
         voters += 1
     if voters == 0:
         return LAST_SLOT if anybody else 0.0
-    duration = slot_duration(me.shares, me.votes, voters)
+    duration = mean_vote(total, weighted, plain, voters)
     if not planned:
         return duration
     return max(min(duration + me.slot_offset[0], latest), soonest)

@@ -24,7 +24,7 @@ from footfall.engine.placing import STEP, aim_body, place_bodies
 from footfall.engine.pose import blend_poses, move_root
 from footfall.engine.record import HALF_RATE, Character
 from footfall.engine.shelf import Shelf
-from footfall.engine.state import Workspace
+from footfall.engine.state import Workspace, offset_of
 from footfall.engine.treading import keep_footprints, ride
 from footfall.octet_memory import fetch_ahead
 from footfall.octets import LANES
@@ -37,8 +37,8 @@ LONGEST_STEP = 1.0 / 30.0
 """Longest time between two poses [s]; a longer advance is cut into equal steps."""
 
 
-OFTEN_USED = 1704
-"""Bytes of a record that every frame uses: the fields before `playing`."""
+OFTEN_USED = offset_of("playing")
+"""Bytes of a record that every frame uses: the fields before the synchronizer's window."""
 
 LEFT_OUT = -1.0
 """Stands for the time of a row that is left out."""

@@ -13,7 +13,7 @@ from footfall.engine.record import SEATS, Character
 from footfall.engine.shelf import Shelf, phase_end
 from footfall.sync.columns import has_ended
 from footfall.sync.planner import plan
-from footfall.sync.search_memory import SearchMemories
+from footfall.sync.search_memory import PlannerMemory
 from footfall.sync.tables import Rules
 from footfall.sync.window import Window
 
@@ -27,7 +27,7 @@ SHORTEST_REST = 1e-3
 
 
 @inner_kernel
-def window_of(me: Character, search: SearchMemories) -> Window:
+def window_of(me: Character, search: PlannerMemory) -> Window:
     """Return the synchronizer's window on one character, without a copy.
 
     The slices make plain arrays of a record's own, so that what is compiled for the engine is
@@ -48,21 +48,22 @@ def window_of(me: Character, search: SearchMemories) -> Window:
         me.pace[:],
         me.slot_offset[:],
         me.steady[:],
-        search,
-        me.spare_phases[:],
-        me.spare_results[:],
+        search.search,
+        search.spare_phases,
+        search.spare_results,
     )
 
 
-def copy_window(character: npt.NDArray[Any], search: SearchMemories) -> Window:
+def copy_window(character: npt.NDArray[Any], search: PlannerMemory) -> Window:
     """Return a copy of the synchronizer's window on one character, as it is now.
 
     Args:
         character: One record of `character_type`.
         search: Any working memory of the planner.
     """
+    shared = search._asdict()
     fields = [
-        search if name == "search" else character["slot_offset" if name == "offset" else name]
+        shared[name] if name in shared else character["slot_offset" if name == "offset" else name]
         for name in Window._fields
     ]
     window = Window._make(fields).copy()
@@ -115,7 +116,7 @@ def follow_plan(shelf: Shelf, me: Character) -> None:
 
 
 @inlined_kernel
-def replan(shelf: Shelf, me: Character, search: SearchMemories, rules: Rules) -> None:
+def replan(shelf: Shelf, me: Character, search: PlannerMemory, rules: Rules) -> None:
     """Decide anew after a stop or a change of priority; in paper mode all stays as decided."""
     me.unsettled = False
     update_weights(me)

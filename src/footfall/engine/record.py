@@ -161,7 +161,7 @@ class Character(Feet):
     fade_progress: Annotated[Floats, SEATS, 2]
     """How far it is, on the legs and on the rest of the body, shape (seats, 2)."""
 
-    presence: Annotated[Floats, SEATS]
+    presence: Annotated[SmallFloats, SEATS]
     """How much of its leg weight a muted action keeps, on its way to 0, and of another one on
     its way to 1, shape (seats,)."""
 
@@ -180,37 +180,29 @@ class Character(Feet):
     pace: Annotated[Floats, SEATS, 2]
     slot_offset: Annotated[Seconds, 1]
     steady: Annotated[Seconds, 1]
-    spare_phases: Annotated[Indices, SEATS, COLUMNS]
-    spare_results: Annotated[Supports, COLUMNS]
 
-    priorities: Annotated[Floats, SEATS, PARTS]
-    """Priority on each body part by now, >= 0, shape (seats, parts)."""
+    priorities_asked: Annotated[SmallFloats, SEATS, PARTS]
+    """Priority on each body part, or what it becomes, >= 0, shape (seats, parts)."""
 
-    priorities_before: Annotated[Floats, SEATS, PARTS]
-    """What it was when another one was asked for, shape (seats, parts)."""
+    priorities_before: Annotated[SmallFloats, SEATS, PARTS]
+    """What it was when that was asked for, shape (seats, parts)."""
 
-    priorities_asked: Annotated[Floats, SEATS, PARTS]
-    """What it becomes, shape (seats, parts)."""
-
-    priority_progress: Annotated[Floats, SEATS, PARTS]
+    priority_progress: Annotated[SmallFloats, SEATS, PARTS]
     """How far it has come, 0 to 1, shape (seats, parts)."""
 
-    priority_elapsed: Annotated[Seconds, SEATS, PARTS]
-    """How long that has taken so far [s], shape (seats, parts)."""
+    priority_elapsed: Annotated[SmallFloats, SEATS]
+    """How long that has taken so far on the legs, where it may have to wait [s], shape (seats,)."""
 
-    priority_seconds: Annotated[Seconds, SEATS]
+    priority_seconds: Annotated[SmallFloats, SEATS]
     """How long it should take [s], > 0, shape (seats,)."""
 
-    share_speed: Annotated[Floats, SEATS, PARTS]
-    """How fast the share goes by now, per progress, shape (seats, parts)."""
-
-    share_speed_before: Annotated[Floats, SEATS, PARTS]
-    """How fast it went when another priority was asked for, likewise."""
+    share_speed_before: Annotated[SmallFloats, SEATS, PARTS]
+    """How fast the share went, per progress, when that was asked for, shape (seats, parts)."""
 
     patience: Annotated[Seconds, SEATS]
     """Clock time until which a start waits [s], shape (seats,)."""
 
-    late: Annotated[Indices, SEATS]
+    late: Annotated[SmallIndices, SEATS]
     """What becomes of it then: `GIVES_UP` or `STARTS_MUTED`, shape (seats,)."""
 
     target: Annotated[Seconds, SEATS]
@@ -222,17 +214,20 @@ class Character(Feet):
     fade_asked: Annotated[Seconds, SEATS]
     """How long the present fade should take [s], shape (seats,)."""
 
-    fade_elapsed: Annotated[Seconds, SEATS, 2]
-    """How long it has taken so far, likewise [s]."""
+    fade_elapsed: Annotated[Seconds, SEATS]
+    """How long it has taken so far on the legs, where it may have to wait [s], shape (seats,)."""
 
-    levels: Annotated[Weights, SEATS]
-    """Activation levels, shape (seats,)."""
+    levels: Annotated[SmallFloats, SEATS]
+    """Activation levels of the body part at hand, shape (seats,)."""
 
-    shares: Annotated[Weights, SEATS]
-    """Leg weights of those that vote on a duration, shape (seats,)."""
+    taken: Annotated[SmallFloats, SEATS]
+    """The same, where a priority is on its way from 0 or to 0, shape (seats,)."""
 
-    votes: Annotated[Seconds, SEATS]
-    """Their votes [s], shape (seats,)."""
+    priorities_now: Annotated[SmallFloats, SEATS, 1]
+    """Priorities on the body part at hand, shape (seats, 1)."""
+
+    share_speed: Annotated[SmallFloats, SEATS]
+    """How fast the shares of it go, per progress, shape (seats,)."""
 
     steer: float
     """How fast the root turns to the left where it is steered [rad/s]."""

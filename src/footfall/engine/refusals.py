@@ -13,7 +13,7 @@ from footfall.engine.shelf import Shelf
 from footfall.engine.state import GIVES_UP, STARTS_MUTED, WAITING
 from footfall.errors import ArgumentError
 from footfall.sync.refusal import Refusal, foresee
-from footfall.sync.search_memory import SearchMemories
+from footfall.sync.search_memory import PlannerMemory
 from footfall.sync.tables import Rules
 
 __all__ = ["LATE", "Late", "check_patience", "explain_wait"]
@@ -39,7 +39,7 @@ def check_patience(patience: float, late: str) -> None:
 def explain_wait(
     shelf: Shelf,
     character: npt.NDArray[Any],
-    search: SearchMemories,
+    search: PlannerMemory,
     rules: Rules,
     library: MotionLibrary,
     action: int,

@@ -15,7 +15,7 @@ from footfall.engine.state import EMPTY, LEAVING, RUNNING, WAITING
 from footfall.skeleton import BodyPart
 from footfall.sync.columns import has_ended, recombine
 from footfall.sync.planner import plan_next_slot
-from footfall.sync.search_memory import SearchMemories
+from footfall.sync.search_memory import PlannerMemory
 from footfall.sync.shares import finish_slot
 from footfall.sync.tables import Rules
 from footfall.timing import reverse_fade
@@ -44,11 +44,12 @@ def begin_leaving(shelf: Shelf, me: Character, seat: int) -> None:
     for group in range(2):
         progress, elapsed = reverse_fade(me.fade_progress[seat, group], asked)
         me.fade_progress[seat, group] = progress
-        me.fade_elapsed[seat, group] = elapsed
+        if group == 0:
+            me.fade_elapsed[seat] = elapsed
 
 
 @inlined_kernel
-def enter_slot(shelf: Shelf, me: Character, search: SearchMemories, rules: Rules) -> None:
+def enter_slot(shelf: Shelf, me: Character, search: PlannerMemory, rules: Rules) -> None:
     """Enter the next slot: let go who has faded out, synchronize one more column."""
     window = window_of(me, search)
     finish_slot(shelf.table, window)

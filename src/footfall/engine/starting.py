@@ -14,7 +14,7 @@ from footfall.engine.shelf import Shelf, phase_end, phase_start
 from footfall.engine.state import RUNNING, WAITING
 from footfall.skeleton import BodyPart
 from footfall.sync.planner import REFUSED, plan_start
-from footfall.sync.search_memory import SearchMemories
+from footfall.sync.search_memory import PlannerMemory
 from footfall.sync.tables import Rules
 
 __all__ = ["NONE", "enter_action", "enter_muted", "retry_waiting"]
@@ -29,31 +29,31 @@ GREATEST_SQUEEZE = 3.0
 
 
 @inner_kernel
-def retry_waiting(shelf: Shelf, me: Character, search: SearchMemories, rules: Rules) -> None:
+def retry_waiting(shelf: Shelf, me: Character, search: PlannerMemory, rules: Rules) -> None:
     """Try every waiting start again, the oldest command first (section 5.1)."""
     for _ in range(SEATS):
         oldest = NONE
         for seat in range(SEATS):
-            untried = me.fade_elapsed[seat, 0] == 0.0
+            untried = me.fade_elapsed[seat] == 0.0
             older = oldest < 0 or me.age[seat] < me.age[oldest]
             if me.status[seat] == WAITING and untried and older:
                 oldest = seat
         if oldest < 0:
             break
         if not enter_action(shelf, me, search, rules, oldest):
-            me.fade_elapsed[oldest, 0] = -1.0
+            me.fade_elapsed[oldest] = -1.0
     for seat in range(SEATS):
         if me.status[seat] == WAITING:
-            me.fade_elapsed[seat, 0] = 0.0
+            me.fade_elapsed[seat] = 0.0
 
 
 @inner_kernel
 def enter_action(
-    shelf: Shelf, me: Character, search: SearchMemories, rules: Rules, seat: int
+    shelf: Shelf, me: Character, search: PlannerMemory, rules: Rules, seat: int
 ) -> bool:
     """Start the action of a seat now, if it can be synchronized; return whether it was."""
     me.muted[seat] = False
-    if me.synchronized and me.priorities[seat, LEGS] > 0.0:
+    if me.synchronized and me.priorities_asked[seat, LEGS] > 0.0:
         if not _synchronize(shelf, me, search, rules, seat):
             return False
     else:
@@ -85,7 +85,7 @@ def _begin(shelf: Shelf, me: Character, rules: Rules, seat: int) -> None:
     me.fade_asked[seat] = shelf.entries[action].fade_in
     for group in range(2):
         me.fade_progress[seat, group] = 1.0 if me.fresh else 0.0
-        me.fade_elapsed[seat, group] = 0.0
+    me.fade_elapsed[seat] = 0.0
     me.posed_time[seat] = me.clip_time[seat]
     update_weights(me)
     if rules.replans and me.playing[seat] and not me.muted[seat]:
@@ -96,7 +96,7 @@ def _begin(shelf: Shelf, me: Character, rules: Rules, seat: int) -> None:
 
 @inlined_kernel
 def _synchronize(
-    shelf: Shelf, me: Character, search: SearchMemories, rules: Rules, seat: int
+    shelf: Shelf, me: Character, search: PlannerMemory, rules: Rules, seat: int
 ) -> bool:
     """Find an action its place in the schedule, and its clip the time that belongs there."""
     entry = shelf.entries[me.action[seat]]

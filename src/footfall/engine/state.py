@@ -17,7 +17,7 @@ from footfall.skeleton import BodyPart
 from footfall.skeleton.normalized import padded_count
 from footfall.skeleton.octet_poses import PLACEMENT
 from footfall.support import Support
-from footfall.sync.search_memory import new_search_memory
+from footfall.sync.search_memory import PlannerMemory, new_planner_memory
 from footfall.sync.tables import ABSENT
 
 __all__ = [
@@ -34,6 +34,7 @@ __all__ = [
     "moment_type",
     "new_characters",
     "new_workspace",
+    "offset_of",
 ]
 
 EMPTY, WAITING, RUNNING, LEAVING = 0, 1, 2, 3
@@ -51,8 +52,8 @@ AIMS = 17
 class Workspace(NamedTuple):
     """Memory to work in; one a thread."""
 
-    search: npt.NDArray[Any]
-    """That of the planner: one `footfall.sync.search_memory.SearchMemory`."""
+    search: PlannerMemory
+    """That of the planner."""
 
     kept: SmallFloats
     """Poses that are shown once more, shape (8, joints, 7)."""
@@ -101,6 +102,12 @@ def character_type(lookahead: int) -> np.dtype[Any]:
     return _memory_layout(Character, lookahead)
 
 
+def offset_of(field: str) -> int:
+    """Return how many bytes of a character come before a field, whatever the look-ahead."""
+    layout: Any = character_type(1)
+    return int(layout.fields[field][1])
+
+
 def _memory_layout(kind: type, lookahead: int) -> np.dtype[Any]:
     numbers = {int: np.int64, float: np.float64, bool: np.int8}
     fields: list[tuple[Any, ...]] = []
@@ -134,19 +141,23 @@ def new_characters(rows: int, lookahead: int) -> npt.NDArray[Any]:
     characters["placed"] = 1
     characters["weights"][:, SEATS] = 1.0
     characters["phases"] = ABSENT
-    characters["spare_phases"] = ABSENT
-    for field in ("support", "results", "spare_results"):
+    for field in ("support", "results"):
         characters[field] = int(Support.DOUBLE)
     return characters
 
 
-def new_workspace(joints: int) -> Workspace:
-    """Return the memory in which one thread works."""
+def new_workspace(joints: int, lookahead: int = 1) -> Workspace:
+    """Return the memory in which one thread works.
+
+    Args:
+        joints: How many joints the bodies have.
+        lookahead: How many slots ahead are decided.
+    """
     rows, layers = padded_count(joints), SEATS + 1
     moments = records(np.zeros(1, dtype=moment_type))
     moments["step"] = -1.0
     return Workspace(
-        new_search_memory(),
+        new_planner_memory(SEATS, lookahead),
         np.zeros((LANES, joints, PLACEMENT), dtype=np.float32),
         moments,
         np.zeros((2, 2, 3), dtype=np.float32),

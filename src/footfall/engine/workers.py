@@ -11,10 +11,11 @@ import os
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 
+from footfall.engine.record import SEATS
 from footfall.engine.state import Workspace, new_workspace
 from footfall.errors import ArgumentError
 from footfall.octets import LANES
-from footfall.sync.search_memory import new_search_memory
+from footfall.sync.search_memory import new_planner_memory
 
 __all__ = ["Workers"]
 
@@ -31,11 +32,12 @@ Task = Callable[[int, int, int], None]
 class Workers:
     """Some threads, each with its own memory to work in."""
 
-    def __init__(self, threads: int | None) -> None:
+    def __init__(self, threads: int | None, lookahead: int) -> None:
         """Prepare threads; they start when they are needed first.
 
         Args:
             threads: How many, >= 1; None: one for each processor that may be used.
+            lookahead: How many slots ahead the characters decide.
 
         Raises:
             ArgumentError: If there is no thread.
@@ -45,15 +47,18 @@ class Workers:
         if threads < 1:
             raise ArgumentError(f"{threads} threads; a crowd needs at least 1")
         self._threads = threads
+        self._lookahead = lookahead
         self._workspaces: dict[int, list[Workspace]] = {}
-        self.search = new_search_memory()
+        self.search = new_planner_memory(SEATS, lookahead)
         """Memory of the planner for who gives commands."""
         self._executor: ThreadPoolExecutor | None = None
 
     def workspaces(self, joints: int) -> list[Workspace]:
         """Return the memory of each thread for bodies of so many joints."""
         if joints not in self._workspaces:
-            self._workspaces[joints] = [new_workspace(joints) for _ in range(self._threads)]
+            self._workspaces[joints] = [
+                new_workspace(joints, self._lookahead) for _ in range(self._threads)
+            ]
         return self._workspaces[joints]
 
     def run(self, task: Task, blocks: int) -> None:

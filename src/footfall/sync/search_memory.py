@@ -6,7 +6,7 @@ of some column, with what it cost to get there.
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
@@ -14,10 +14,33 @@ import numpy.typing as npt
 from footfall.arrays import Floats, Indices, Seconds, Supports, Weights
 from footfall.compilation import records
 
-__all__ = ["DEEPEST", "LANES", "NODES", "SearchMemories", "SearchMemory", "new_search_memory"]
+__all__ = [
+    "DEEPEST",
+    "LANES",
+    "NODES",
+    "PlannerMemory",
+    "SearchMemories",
+    "SearchMemory",
+    "new_planner_memory",
+    "new_search_memory",
+]
 
 SearchMemories = npt.NDArray[Any]
 """An array of one `SearchMemory`."""
+
+
+class PlannerMemory(NamedTuple):
+    """What planners work in, for all characters of one thread: as in `footfall.sync.Window`."""
+
+    search: SearchMemories
+    """That of the default planner."""
+
+    spare_phases: Indices
+    """Room for the decided phases of one character, shape (seats, lookahead + 2)."""
+
+    spare_results: Supports
+    """Room for their results, shape (lookahead + 2,)."""
+
 
 LANES = 8
 """How many actions are searched over at most; those of the least priority beyond it are muted."""
@@ -158,3 +181,13 @@ _TYPE = np.dtype(
 def new_search_memory() -> SearchMemories:
     """Return the working memory of one thread: an array of one `SearchMemory`."""
     return records(np.zeros(1, dtype=_TYPE))
+
+
+def new_planner_memory(seats: int, lookahead: int) -> PlannerMemory:
+    """Return the memory of one thread for characters of so many seats that decide so far ahead."""
+    columns = lookahead + 2
+    return PlannerMemory(
+        new_search_memory(),
+        np.zeros((seats, columns), dtype=np.int64),
+        np.zeros(columns, dtype=np.int64),
+    )

@@ -2,7 +2,7 @@
 
 from footfall.timing.activation import advance_progress, level, reverse_fade, smoothstep
 from footfall.timing.time_warp import TimeWarp, end_slope, end_slope_paper, warp
-from footfall.timing.weights import normalize_weights, slot_duration
+from footfall.timing.weights import mean_vote, normalize_weights, slot_duration
 
 __all__ = [
     "TimeWarp",
@@ -10,6 +10,7 @@ __all__ = [
     "end_slope",
     "end_slope_paper",
     "level",
+    "mean_vote",
     "normalize_weights",
     "reverse_fade",
     "slot_duration",

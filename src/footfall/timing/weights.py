@@ -5,14 +5,17 @@ from __future__ import annotations
 from footfall.arrays import Seconds, SmallFloats, Weights
 from footfall.compilation import lean_kernel, small_kernel
 
-__all__ = ["normalize_weights", "slot_duration"]
+__all__ = ["mean_vote", "normalize_weights", "slot_duration"]
+
+Shares = Weights | SmallFloats
+"""Weights in either precision."""
 
 LONE = 0.1
 """Share of its own priority that an action counts as the least of what is there besides it."""
 
 
 @lean_kernel
-def normalize_weights(priorities: Weights, levels: Weights, out: Weights | SmallFloats) -> None:
+def normalize_weights(priorities: Shares, levels: Shares, out: Shares) -> None:
     """Share each body part among the actions, and give what they leave to the neutral motion.
 
     On one body part, with priority P and level L of each action and sums over the actions that
@@ -71,7 +74,7 @@ def normalize_weights(priorities: Weights, levels: Weights, out: Weights | Small
 
 
 @small_kernel
-def _alike(priorities: Weights, levels: Weights, part: int) -> bool:
+def _alike(priorities: Shares, levels: Shares, part: int) -> bool:
     """Return whether every action has the same priority on a body part as on the one before."""
     for seat in range(levels.shape[0]):
         if priorities[seat, part] != priorities[seat, part - 1]:
@@ -98,4 +101,17 @@ def slot_duration(shares: Weights, natural_durations: Seconds, count: int) -> fl
         total += shares[voter]
         weighted += shares[voter] * natural_durations[voter]
         plain += natural_durations[voter]
+    return mean_vote(total, weighted, plain, count)
+
+
+@small_kernel
+def mean_vote(total: float, weighted: float, plain: float, count: int) -> float:
+    """Return the weighted mean of some votes from its sums (eq. 6).
+
+    Args:
+        total: The sum of all shares.
+        weighted: That of each vote times its share.
+        plain: That of the votes; their plain mean is returned where all shares are zero.
+        count: How many votes there are, >= 1.
+    """
     return weighted / total if total > 0.0 else plain / count
