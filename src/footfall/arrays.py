@@ -11,6 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 __all__ = [
+    "Counts",
     "Flags",
     "Floats",
     "Indices",
@@ -50,6 +51,9 @@ Indices = npt.NDArray[np.int64]
 
 SmallIndices = npt.NDArray[np.int16]
 """The same where there are few, in the records of characters."""
+
+Counts = npt.NDArray[np.int32]
+"""Indices of phases or commands that go on for hours."""
 
 Flags = npt.NDArray[np.bool_]
 """Booleans; the docstring says what is claimed."""

@@ -103,10 +103,11 @@ def check_state(hero: ff.Character) -> None:
     for (_, seat), (clip_time, rate, warped) in clocks(me).items():
         assert np.isfinite(clip_time)
         assert 0.0 <= rate < np.inf
-        ended = has_ended(crowd.shelf.table, int(me["sequence"][seat]), int(me["phases"][seat, 0]))
+        ended = has_ended(crowd.shelf.table, int(me["action"][seat]), int(me["phases"][seat, 0]))
         if not warped or ended:
             continue
-        (t0, t1), (h0, v0, h1, v1) = me["span"].tolist(), me["segment"][seat].tolist()
+        (t0, t1), (h0, v0, v1) = me["span"].tolist(), me["segment"][seat].tolist()
+        h1 = float(me["target"][seat])
         assert h1 >= h0
         if t1 > t0:
             here = warp(float(me["clock"]), t0, h0, v0, t1, h1, v1, False)
@@ -124,7 +125,8 @@ def pass_time(hero: ff.Character, dt: float) -> None:
         left = (1.0 - float(me["slot_progress"])) * float(me["slot_duration"])
         step = min(dt, 1 / 60, left if left > 1e-6 else dt)
         before, clock, slot = clocks(me), float(me["clock"]), int(me["slot_index"])
-        end, ends, rest = float(me["span"][1]), me["segment"][:, 2:].copy(), weights_rest(me)
+        end, rest = float(me["span"][1]), weights_rest(me)
+        ends = np.stack([me["target"], me["segment"][:, 2]], axis=1)
         hero.advance(step)
         check_state(hero)
         for key, (clip_time, rate, warped) in clocks(me).items():
@@ -141,7 +143,7 @@ def pass_time(hero: ff.Character, dt: float) -> None:
                 assert (h0, v0) == pytest.approx((was_time, was_rate), abs=CLOSE)
             t1, h1, v1 = end, *ends[seat].tolist()
             table, phase = hero.crowd.shelf.table, int(me["phases"][seat, 0])
-            over = has_ended(table, int(me["sequence"][seat]), phase)
+            over = has_ended(table, int(me["action"][seat]), phase)
             entered = int(me["slot_index"]) == slot + 1
             if abs(t1 - float(me["clock"])) < CLOSE and entered and rest and not over:
                 # The slot has ended as it was to end, and the next one goes on from there; a clip

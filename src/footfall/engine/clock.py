@@ -122,8 +122,8 @@ def _run_clips(shelf: Shelf, me: Character, step: float, slot_ends: bool) -> boo
         if me.synchronized and me.playing[seat] and not me.muted[seat]:
             part = me.segment[seat]
             if slot_ends:
-                me.clip_time[seat] = part[2]
-                me.rate[seat] = part[3]
+                me.clip_time[seat] = me.target[seat]
+                me.rate[seat] = part[2]
             else:
                 clip_time, rate = warp(
                     me.clock + step,
@@ -131,8 +131,8 @@ def _run_clips(shelf: Shelf, me: Character, step: float, slot_ends: bool) -> boo
                     part[0],
                     part[1],
                     last,
+                    me.target[seat],
                     part[2],
-                    part[3],
                     shelf.use_paper_cubic,
                 )
                 me.clip_time[seat], me.rate[seat] = clip_time, rate

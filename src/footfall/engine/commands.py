@@ -177,7 +177,6 @@ def catch_up_rows(
 def _take_seat(shelf: Shelf, me: Character, seat: int, action: int) -> None:
     """Seat an action that waits for its moment."""
     me.action[seat] = action
-    me.sequence[seat] = action
     for part in range(PARTS):
         settle_priority(me, seat, part, shelf.entries[action].priorities[part])
     me.priority[seat] = me.priorities_asked[seat, LEGS]

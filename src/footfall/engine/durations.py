@@ -70,7 +70,7 @@ def set_target(shelf: Shelf, me: Character, seat: int) -> None:
     """
     phase = me.phases[seat, 0]
     clip_time = me.clip_time[seat]
-    if has_ended(shelf.table, me.sequence[seat], phase):
+    if has_ended(shelf.table, me.action[seat], phase):
         me.target[seat] = clip_time
         me.natural[seat] = 0.0
         me.rate[seat] = 0.0
@@ -124,14 +124,13 @@ def bend_warps(shelf: Shelf, me: Character) -> None:
         segment = me.segment[seat]
         segment[0] = me.clip_time[seat]
         segment[1] = me.rate[seat]
-        segment[2] = me.target[seat]
-        mean = (segment[2] - segment[0]) / left if left > 0.0 else 0.0
+        mean = (me.target[seat] - segment[0]) / left if left > 0.0 else 0.0
         if shelf.use_paper_cubic:
-            segment[3] = end_slope_paper(mean, segment[1])
+            segment[2] = end_slope_paper(mean, segment[1])
             continue
         ahead = me.pace[seat, 1]
         # An action that ends there goes on at its speed: a clip alone plays as it was.
-        segment[3] = end_slope(mean, ahead) if ahead > 0.0 else mean
+        segment[2] = end_slope(mean, ahead) if ahead > 0.0 else mean
 
 
 @small_kernel
@@ -158,7 +157,7 @@ def _duration(shelf: Shelf, me: Character) -> float:
         phase = me.phases[seat, 0]
         if planned and me.phases[seat, 1] == phase:
             continue
-        support = support_of(shelf.table, me.sequence[seat], phase, ENDED_NEUTRAL)
+        support = support_of(shelf.table, me.action[seat], phase, ENDED_NEUTRAL)
         flies = planned and support == FLIGHT
         share = me.weights[seat, LEGS] * (FLIGHT_VOTE if flies else 1.0)
         total, weighted, plain = total + share, weighted + share * vote, plain + vote

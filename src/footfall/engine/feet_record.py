@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Annotated
 
-from footfall.arrays import Flags, Floats, Indices, Positions, Seconds, SmallFloats
+from footfall.arrays import Flags, Floats, Positions, Seconds, SmallFloats, SmallIndices
 
 __all__ = ["Feet"]
 
@@ -30,13 +30,13 @@ class Feet:
     ground_below: Annotated[Floats, 2]
     """Height of the ground under the middle of each sole [m], shape (2,)."""
 
-    surface: Annotated[Indices, 2]
+    surface: Annotated[SmallIndices, 2]
     """The surface that each carrying foot is on, else -1, shape (2,)."""
 
     carried: Annotated[Positions, 2, 3]
     """How far the surfaces under the feet have taken them since the beginning [m], (2, 3)."""
 
-    landing: Annotated[Floats, 2, 3]
+    landing: Annotated[SmallFloats, 2, 3]
     """How far each swinging foot is led from where it would land, x and z, and how high the ground
     is there [m], shape (2, 3)."""
 

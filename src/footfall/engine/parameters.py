@@ -228,9 +228,9 @@ def keep_places(characters: npt.NDArray[Any], action: int, old: Seconds, new: Se
             me.target[seat] = _moved(old, new, me.target[seat])[0]
             me.rate[seat] *= pace
             me.natural[seat] *= pace
+            me.segment[seat, 0] = _moved(old, new, me.segment[seat, 0])[0]
             for end in range(2):
-                me.segment[seat, 2 * end] = _moved(old, new, me.segment[seat, 2 * end])[0]
-                me.segment[seat, 2 * end + 1] *= pace
+                me.segment[seat, 1 + end] *= pace
             me.unsettled = True
 
 

@@ -35,7 +35,7 @@ def window_of(me: Character, search: PlannerMemory) -> Window:
     """
     return Window(
         me.playing[:],
-        me.sequence[:],
+        me.action[:],
         me.priority[:],
         me.age[:],
         me.weight[:],
@@ -62,8 +62,9 @@ def copy_window(character: npt.NDArray[Any], search: PlannerMemory) -> Window:
         search: Any working memory of the planner.
     """
     shared = search._asdict()
+    renamed = {"offset": "slot_offset", "sequence": "action"}
     fields = [
-        shared[name] if name in shared else character["slot_offset" if name == "offset" else name]
+        shared[name] if name in shared else character[renamed.get(name, name)]
         for name in Window._fields
     ]
     window = Window._make(fields).copy()
@@ -93,13 +94,13 @@ def measure_remaining(shelf: Shelf, me: Character, column: int) -> None:
         if me.muted[seat]:
             phase = me.phases[seat, 0]
             while (
-                not has_ended(shelf.table, me.sequence[seat], phase)
+                not has_ended(shelf.table, me.action[seat], phase)
                 and phase_end(entry, shelf.phase_starts, phase) <= me.clip_time[seat]
             ):
                 phase += 1
             me.phases[seat, column] = phase
         phase = me.phases[seat, column]
-        if not has_ended(shelf.table, me.sequence[seat], phase):
+        if not has_ended(shelf.table, me.action[seat], phase):
             left = phase_end(entry, shelf.phase_starts, phase) - me.clip_time[seat]
             me.remaining[seat] = max(left, SHORTEST_REST)
 

@@ -4,15 +4,16 @@ from __future__ import annotations
 
 from typing import Annotated
 
+import numpy as np
+
 from footfall.arrays import (
+    Counts,
     Flags,
     Floats,
-    Indices,
     Seconds,
     SmallFloats,
     SmallIndices,
     Supports,
-    Weights,
 )
 from footfall.engine.feet_record import Feet
 from footfall.engine.layer_record import LAYERS, LayerSeats, layer_seat_type
@@ -72,7 +73,10 @@ class Character(Feet):
     layered: bool
     """Whether anything is laid over what plays."""
 
-    flight: int
+    stands: bool
+    """Whether the neutral motion has weight on the legs."""
+
+    flight: Annotated[int, np.int8]
     """What happens while nothing carries: a number of `footfall.engine.flight.FLIGHTS`."""
 
     aloft: bool
@@ -87,7 +91,7 @@ class Character(Feet):
     present: bool
     """Whether there is anybody in this row."""
 
-    detail: int
+    detail: Annotated[int, np.int8]
     """How much is worked out: `FULL`, `NO_REACHING` or `HALF_RATE`."""
 
     rests: bool
@@ -102,10 +106,10 @@ class Character(Feet):
     occupied: int
     """How many seats come before the last one that is taken, that one included."""
 
-    starts: int
+    starts: Annotated[int, np.int32]
     """How many actions have been started, which orders them by age."""
 
-    slot_index: int
+    slot_index: Annotated[int, np.int32]
     """How many slots have been entered."""
 
     slot_progress: float
@@ -139,13 +143,10 @@ class Character(Feet):
     """Heel and toe of the blended feet in the pose shown last, x and z relative to the root, in leg
     lengths, shape (2, 2, 2)."""
 
-    stands: bool
-    """Whether the neutral motion has weight on the legs."""
-
     alone_time: float
     """How long the present foot has been carrying alone [s], 0 while both do, or none."""
 
-    pelvis_drop: Annotated[Floats, 2]
+    pelvis_drop: Annotated[SmallFloats, 2]
     """How far the pelvis is lowered for a leg to reach [m], and how fast [m/s] (2,)."""
 
     weights: Annotated[SmallFloats, SEATS + 1, PARTS]
@@ -154,9 +155,12 @@ class Character(Feet):
     span: Annotated[Seconds, 2]
     """Clock time at which the time warps of the slot begin and end [s], shape (2,)."""
 
-    segment: Annotated[Floats, SEATS, 4]
-    """The time warp of each action: clip time and rate at the beginning of `span`, and at its end,
-    shape (seats, 4)."""
+    segment: Annotated[Floats, SEATS, 3]
+    """The time warp of each action: clip time and rate at the beginning of `span`, and the rate at
+    its end, shape (seats, 3)."""
+
+    target: Annotated[Seconds, SEATS]
+    """Clip time there, at the end of the slot, shape (seats,)."""
 
     fade_progress: Annotated[Floats, SEATS, 2]
     """How far it is, on the legs and on the rest of the body, shape (seats, 2)."""
@@ -169,13 +173,12 @@ class Character(Feet):
     """The synchronizer's window, as `footfall.sync.Window`, whose arrays follow."""
     muted: Annotated[Flags, SEATS]
     results: Annotated[Supports, COLUMNS]
-    sequence: Annotated[Indices, SEATS]
-    priority: Annotated[Floats, SEATS]
-    age: Annotated[Indices, SEATS]
-    weight: Annotated[Weights, SEATS]
+    priority: Annotated[SmallFloats, SEATS]
+    age: Annotated[Counts, SEATS]
+    weight: Annotated[SmallFloats, SEATS]
     remaining: Annotated[Seconds, SEATS]
-    phases: Annotated[Indices, SEATS, COLUMNS]
-    held: Annotated[Indices, SEATS]
+    phases: Annotated[Counts, SEATS, COLUMNS]
+    held: Annotated[Counts, SEATS]
     durations: Annotated[Seconds, COLUMNS]
     pace: Annotated[Floats, SEATS, 2]
     slot_offset: Annotated[Seconds, 1]
@@ -205,13 +208,10 @@ class Character(Feet):
     late: Annotated[SmallIndices, SEATS]
     """What becomes of it then: `GIVES_UP` or `STARTS_MUTED`, shape (seats,)."""
 
-    target: Annotated[Seconds, SEATS]
-    """Clip time at the end of the slot, shape (seats,)."""
-
     natural: Annotated[Seconds, SEATS]
     """What the slot would last at the clip's own speed [s], shape (seats,)."""
 
-    fade_asked: Annotated[Seconds, SEATS]
+    fade_asked: Annotated[SmallFloats, SEATS]
     """How long the present fade should take [s], shape (seats,)."""
 
     fade_elapsed: Annotated[Seconds, SEATS]

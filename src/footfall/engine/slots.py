@@ -65,7 +65,7 @@ def enter_slot(shelf: Shelf, me: Character, search: PlannerMemory, rules: Rules)
     me.slot_index += 1
     me.slot_progress = 0.0
     for seat in range(SEATS):
-        if me.playing[seat] and has_ended(shelf.table, me.sequence[seat], me.phases[seat, 0]):
+        if me.playing[seat] and has_ended(shelf.table, me.action[seat], me.phases[seat, 0]):
             begin_leaving(shelf, me, seat)
     follow_plan(shelf, me)
     retry_waiting(shelf, me, search, rules)

@@ -116,6 +116,9 @@ def _memory_layout(kind: type, lookahead: int) -> np.dtype[Any]:
             fields.append((name, numbers[hint]))
             continue
         array, *shape = get_args(hint)
+        if array is int:
+            fields.append((name, shape[0]))
+            continue
         if isinstance(shape[0], np.dtype):
             fields.append((name, cast(Any, shape[0]), tuple(shape[1:])))
             continue

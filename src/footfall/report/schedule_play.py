@@ -92,7 +92,7 @@ def play_pair(
         if clock >= LONGEST if one.cyclic and other.cyclic else _all_over(one, other, ended):
             break
         durations.append(_duration(table, window, rules, ended))
-        phases.append(window.phases[:, 0].copy())
+        phases.append(window.phases[:, 0].astype(np.int64))
         muted.append(window.muted.copy())
         results.append(Support(int(window.results[0])))
         clock += durations[-1]
@@ -139,7 +139,7 @@ def _duration(table: SequenceTable, window: Window, rules: Rules, ended: Sequenc
     if rules.replans:
         return float(window.durations[0])
     votes = [
-        (window.weight[i], natural_duration(table, i, int(window.phases[i, 0])))
+        (float(window.weight[i]), natural_duration(table, i, int(window.phases[i, 0])))
         for i in range(2)
         if not ended[i]
     ]

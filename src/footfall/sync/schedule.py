@@ -13,7 +13,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from footfall.arrays import Indices, Supports
+from footfall.arrays import Counts, Indices, Supports
 from footfall.support import Support
 from footfall.sync.columns import has_ended, own_phase, support_of
 from footfall.sync.schedule_html import schedule_html
@@ -106,7 +106,7 @@ class Schedule:
         sequences: Sequence[int],
         names: Sequence[str],
         priorities: Sequence[float],
-        phases: Indices,
+        phases: Indices | Counts,
         results: Supports,
         *,
         seconds: Sequence[float | None],

@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from footfall.arrays import Floats, Indices, Seconds, Supports, Weights
+from footfall.arrays import Counts, Floats, Indices, Seconds, Supports, Weights
 from footfall.compilation import records
 
 __all__ = [
@@ -35,7 +35,7 @@ class PlannerMemory(NamedTuple):
     search: SearchMemories
     """That of the default planner."""
 
-    spare_phases: Indices
+    spare_phases: Counts
     """Room for the decided phases of one character, shape (seats, lookahead + 2)."""
 
     spare_results: Supports
@@ -188,6 +188,6 @@ def new_planner_memory(seats: int, lookahead: int) -> PlannerMemory:
     columns = lookahead + 2
     return PlannerMemory(
         new_search_memory(),
-        np.zeros((seats, columns), dtype=np.int64),
+        np.zeros((seats, columns), dtype=np.int32),
         np.zeros(columns, dtype=np.int64),
     )

@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from footfall.arrays import Flags, Floats, Indices, Seconds, Supports, Weights
+from footfall.arrays import Counts, Flags, Floats, Seconds, SmallFloats, SmallIndices, Supports
 from footfall.errors import ArgumentError
 from footfall.support import Support
 from footfall.sync.search_memory import SearchMemories, new_search_memory
@@ -28,16 +28,16 @@ class Window(NamedTuple):
     playing: Flags
     """Whether a seat holds a running action that carries leg weight, shape (seats,)."""
 
-    sequence: Indices
+    sequence: SmallIndices
     """Its row of the `SequenceTable`, shape (seats,)."""
 
-    priority: Floats
+    priority: SmallFloats
     """Its priority on the legs, shape (seats,)."""
 
-    age: Indices
+    age: Counts
     """The order of activation, smaller = older, which settles equal priorities, shape (seats,)."""
 
-    weight: Weights
+    weight: SmallFloats
     """Its weight on the legs that is to come, >= 0, of any common scale, shape (seats,). Only the
     default planner reads it."""
 
@@ -45,14 +45,14 @@ class Window(NamedTuple):
     """What is left of its phase of column 0 at the clip's own speed, shape (seats,). Only the
     default planner reads it."""
 
-    held: Indices
+    held: Counts
     """For how many columns it has been held, or muted, shape (seats,)."""
 
     muted: Flags
     """Whether it plays beside the schedule, at its own speed and without leg weight, because
     no room can be made for it (S-19), shape (seats,)."""
 
-    phases: Indices
+    phases: Counts
     """Absolute phase index per column, shape (seats, lookahead + 2). A cyclic action keeps
     counting; a clamped one whose index is its count or more has ended; `ABSENT` has left.
     An index repeated in the next column is a hold."""
@@ -78,7 +78,7 @@ class Window(NamedTuple):
     search: SearchMemories
     """Working memory of the default planner: one `SearchMemory`; may be shared likewise."""
 
-    spare_phases: Indices
+    spare_phases: Counts
     """Working memory of the shape of `phases`; may be shared by characters of one thread."""
 
     spare_results: Supports
@@ -98,21 +98,21 @@ class Window(NamedTuple):
         columns = lookahead + 2
         return cls(
             playing=np.zeros(seats, dtype=np.bool_),
-            sequence=np.zeros(seats, dtype=np.int64),
-            priority=np.zeros(seats, dtype=np.float64),
-            age=np.zeros(seats, dtype=np.int64),
-            weight=np.zeros(seats, dtype=np.float64),
+            sequence=np.zeros(seats, dtype=np.int16),
+            priority=np.zeros(seats, dtype=np.float32),
+            age=np.zeros(seats, dtype=np.int32),
+            weight=np.zeros(seats, dtype=np.float32),
             remaining=np.zeros(seats, dtype=np.float64),
-            held=np.zeros(seats, dtype=np.int64),
+            held=np.zeros(seats, dtype=np.int32),
             muted=np.zeros(seats, dtype=np.bool_),
-            phases=np.full((seats, columns), ABSENT, dtype=np.int64),
+            phases=np.full((seats, columns), ABSENT, dtype=np.int32),
             results=np.full(columns, int(Support.DOUBLE), dtype=np.int64),
             durations=np.zeros(columns, dtype=np.float64),
             pace=np.ones((seats, 2), dtype=np.float64),
             offset=np.zeros(1, dtype=np.float64),
             steady=np.zeros(1, dtype=np.float64),
             search=new_search_memory(),
-            spare_phases=np.full((seats, columns), ABSENT, dtype=np.int64),
+            spare_phases=np.full((seats, columns), ABSENT, dtype=np.int32),
             spare_results=np.full(columns, int(Support.DOUBLE), dtype=np.int64),
         )
 
