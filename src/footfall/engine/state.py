@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
 from typing import Annotated, Any, NamedTuple, cast, get_args, get_origin, get_type_hints
 
 import numpy as np
@@ -93,8 +94,11 @@ class Frame(NamedTuple):
     """Joints in the world, shape (joints, 4)."""
 
 
+@lru_cache
 def character_type(lookahead: int) -> np.dtype[Any]:
     """Return the memory layout of `Character`: one record, so that kernels pass one pointer.
+
+    Always the same object: two alike are compared field by field in every call of a kernel.
 
     Args:
         lookahead: How many slots ahead are decided.
