@@ -8,11 +8,13 @@ import subprocess
 import sys
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
+import numpy as np
 import pytest
 
 from footfall import compilation
-from footfall.compilation import kernel
+from footfall.compilation import Prepared, kernel, lean_kernel
 
 source_digest: Callable[[], str] = getattr(compilation, "_source_digest")  # noqa: B009
 cache_folder: Callable[[], Path] = getattr(compilation, "_cache_folder")  # noqa: B009
@@ -160,3 +162,31 @@ def test_a_kernel_divides_as_numpy_does() -> None:
 def test_a_kernel_keeps_its_name_and_its_documentation() -> None:
     assert ratio.__name__ == "ratio"
     assert ratio.__doc__ == "Return one over the other."
+
+
+@lean_kernel
+def _first_of(numbers: Any, place: int, out: Any) -> None:
+    out[0] = numbers[place]
+
+
+@pytest.mark.parametrize("kind", [np.float32, np.int8, np.float64])
+def test_a_prepared_kernel_notices_arrays_of_another_type(kind: type[Any]) -> None:
+    prepared = Prepared(_first_of)
+    out = np.zeros(1)
+    prepared((np.array([1.5, 2.5]), 1, out))
+    assert out[0] == 2.5
+    for place in range(3):
+        numbers = np.array([3, 4, 5], dtype=kind)
+        prepared((numbers, place, out))
+        assert out[0] == 3 + place
+    prepared((np.arange(20.0)[::7], 2, out))
+    assert out[0] == 14.0
+
+
+def test_a_prepared_kernel_reads_what_its_arrays_hold_now() -> None:
+    prepared, numbers, out = Prepared(_first_of), np.zeros(2), np.zeros(1)
+    arguments = (numbers, 0, out)
+    for value in (1.0, 2.0):
+        numbers[0] = value
+        prepared(arguments)
+        assert out[0] == value

@@ -8,6 +8,7 @@ hash of every source file that can reach a kernel.
 from __future__ import annotations
 
 import hashlib
+import operator
 import os
 import sys
 import tempfile
@@ -21,6 +22,7 @@ import numpy.typing as npt
 from numba.core import config as numba_config  # pyright: ignore[reportMissingTypeStubs]
 
 __all__ = [
+    "Prepared",
     "inlined_kernel",
     "inner_kernel",
     "is_compiled",
@@ -140,6 +142,41 @@ def inlined_kernel(function: Function) -> Function:
 def is_compiled(name: str) -> bool:
     """Return whether the cache holds machine code of a kernel of this name."""
     return any(Path(str(_numba_config.CACHE_DIR)).rglob(f"*.{name}-*.nbi"))
+
+
+class Prepared:
+    """A kernel that is called in every frame with the same arrays.
+
+    To find out of which types a motion library and all the rest are takes Numba as long as a frame
+    of one character; here that is done when one of them is another object than the last time.
+    """
+
+    def __init__(self, kernel: Callable[..., None]) -> None:
+        """Prepare nothing yet."""
+        self._kernel = kernel
+        self._arguments: tuple[object, ...] = ()
+        self._compiled: Callable[..., None] = kernel
+
+    def __call__(self, arguments: tuple[object, ...], *numbers: float) -> None:
+        """Call the kernel.
+
+        Args:
+            arguments: Its first arguments, tuples and arrays.
+            numbers: The others, which are always of the same types.
+        """
+        known = self._arguments
+        if len(known) != len(arguments) or any(map(operator.is_not, known, arguments)):
+            self._compiled = _compiled_for(self._kernel, (*arguments, *numbers))
+            self._arguments = arguments
+        self._compiled(*arguments, *numbers)
+
+
+def _compiled_for(kernel: Callable[..., None], arguments: tuple[object, ...]) -> Any:
+    """Return machine code that takes arguments of exactly these types."""
+    if _numba_config.DISABLE_JIT:
+        return kernel
+    type_of: Any = cast(Any, numba).typeof
+    return cast(Any, kernel).compile(tuple(type_of(one) for one in arguments))
 
 
 def records(array: npt.NDArray[Any]) -> npt.NDArray[Any]:

@@ -10,12 +10,12 @@ import numpy.typing as npt
 
 from footfall.adaptation import AnyGround, BuiltGround, Plane
 from footfall.arrays import Indices, Positions, Rotations, SmallFloats, Supports
+from footfall.engine.advancing import Advancing
 from footfall.engine.bodies import Bodies
-from footfall.engine.cohorts import Cohort, Span, blocks_of, lay_out
+from footfall.engine.cohorts import Cohort, Span, lay_out
 from footfall.engine.flight import Flight, flight_of
 from footfall.engine.library import MotionLibrary
 from footfall.engine.parameters import FINEST
-from footfall.engine.pipeline import advance_blocks
 from footfall.engine.placing import world_poses_of
 from footfall.engine.populating import Populating
 from footfall.engine.remembering import Remembering
@@ -23,7 +23,6 @@ from footfall.engine.standing import Standing
 from footfall.engine.state import new_characters
 from footfall.engine.workers import Workers
 from footfall.errors import ArgumentError
-from footfall.octets import LANES
 from footfall.skeleton import Skeleton
 from footfall.skeleton.rig import Rig
 from footfall.sync.tables import Planner, rules_of
@@ -106,6 +105,7 @@ class Crowd(Standing, Remembering, Populating):
             self._workers.workspaces(skeleton.count)
         self._layout = lay_out(spans, skeletons, characters, poses)
         self._cohorts = self._layout.cohorts
+        self._advancing = Advancing(self._cohorts, self._workers)
         self._body_of_row = np.repeat([s.body for s in spans], [s.rows for s in spans])
         self._ground_of_row = np.repeat([s.ground for s in spans], [s.rows for s in spans])
         self._make_hands_room(len(characters))
@@ -145,28 +145,7 @@ class Crowd(Standing, Remembering, Populating):
         """Let a time pass in which parameters are worked out once."""
         if dt > 0.0 and self._steered():
             self._steer(dt)
-
-        def advance(thread: int, first: int, end: int) -> None:
-            for cohort in self._cohorts:
-                begin = cohort.span.first // LANES
-                here, after = max(first - begin, 0), min(end - begin, len(cohort.poses))
-                if here >= after:
-                    continue
-                body = self._bodies.all[cohort.span.body]
-                advance_blocks(
-                    body.shelf,
-                    self._packed_grounds[cohort.span.ground],
-                    body.rig,
-                    cohort.characters,
-                    self._workers.workspaces(body.skeleton.count)[thread],
-                    self._rules,
-                    cohort.poses,
-                    dt,
-                    here,
-                    after,
-                )
-
-        self._workers.run(advance, blocks_of(self.size))
+        self._advancing.advance(self._bodies.all, self._packed_grounds, self._rules, dt)
         self._stale = True
         if self._hands is not None or self._goals is not None:
             self._in_world()

@@ -46,7 +46,8 @@ class Workers:
             threads = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else 1
         if threads < 1:
             raise ArgumentError(f"{threads} threads; a crowd needs at least 1")
-        self._threads = threads
+        self.threads = threads
+        """How many there are."""
         self._lookahead = lookahead
         self._workspaces: dict[int, list[Workspace]] = {}
         self.search = new_planner_memory(SEATS, lookahead)
@@ -57,17 +58,17 @@ class Workers:
         """Return the memory of each thread for bodies of so many joints."""
         if joints not in self._workspaces:
             self._workspaces[joints] = [
-                new_workspace(joints, self._lookahead) for _ in range(self._threads)
+                new_workspace(joints, self._lookahead) for _ in range(self.threads)
             ]
         return self._workspaces[joints]
 
     def run(self, task: Task, blocks: int) -> None:
         """Work on all blocks, and wait until everything is done."""
-        if self._threads == 1 or blocks * LANES < SERIAL_BELOW:
+        if self.threads == 1 or blocks * LANES < SERIAL_BELOW:
             task(0, 0, blocks)
             return
         if self._executor is None:
-            self._executor = ThreadPoolExecutor(self._threads - 1, "footfall")
+            self._executor = ThreadPoolExecutor(self.threads - 1, "footfall")
         shares = itertools.count(0, SHARE)
 
         def take_shares(thread: int) -> None:
@@ -77,7 +78,7 @@ class Workers:
                     return
                 task(thread, first, min(first + SHARE, blocks))
 
-        others = [self._executor.submit(take_shares, one) for one in range(1, self._threads)]
+        others = [self._executor.submit(take_shares, one) for one in range(1, self.threads)]
         take_shares(0)
         for other in others:
             other.result()
