@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import math
+from typing import cast
 
-from footfall.compilation import inner_kernel
+import numpy as np
+
+from footfall.compilation import inner_kernel, small_kernel
 from footfall.support import Support
 from footfall.sync.options import bounds_of, disagreement, open_node, sets_to_try
 from footfall.sync.prices import (
@@ -21,6 +24,9 @@ __all__ = ["expand"]
 
 FLIGHT = int(Support.FLIGHT)
 
+# A typed number: a literal would have everything that it is passed to compiled twice.
+NONE = cast(int, np.int64(-1))
+
 SHORTEST_COLUMN = 0.03
 """A column lasts this long [s] where the rates allow it."""
 
@@ -28,7 +34,7 @@ SAME_TIME = 0.04
 """Two ways to the same phases within this time [s] are one; the cheaper is kept."""
 
 
-@inner_kernel
+@small_kernel
 def _mean_vote(memory: SearchMemory, mask: int, doubt: float) -> tuple[float, float]:
     """Return the weighted mean of when a set would end, and when the feet would like it to end.
 
@@ -96,7 +102,7 @@ def expand(table: SequenceTable, memory: SearchMemory, node: int) -> int:
     return ways
 
 
-@inner_kernel
+@small_kernel
 def _worst_kept(memory: SearchMemory, node: int) -> float:
     """Return the rank below which a child finds a place beside the other nodes; inf if any does."""
     worst = -math.inf
@@ -108,7 +114,7 @@ def _worst_kept(memory: SearchMemory, node: int) -> float:
     return worst
 
 
-@inner_kernel
+@small_kernel
 def _stretch_costs(memory: SearchMemory, mask: int, duration: float) -> tuple[float, float]:
     """Return what the phases cost that end with a column, and those that are overdue then."""
     paid = overdue = 0.0
@@ -126,10 +132,10 @@ def _stretch_costs(memory: SearchMemory, mask: int, duration: float) -> tuple[fl
     return paid, overdue
 
 
-@inner_kernel
+@small_kernel
 def _place_for(memory: SearchMemory, node: int, mask: int, time: float, rank: float) -> int:
     """Return a node to be overwritten by a child, or -1 if a better one is kept instead."""
-    free = worst = -1
+    free = worst = NONE
     for other in range(NODES):
         if other == node:
             continue
@@ -144,15 +150,15 @@ def _place_for(memory: SearchMemory, node: int, mask: int, time: float, rank: fl
                     same = False
                     break
             if same:
-                return other if rank < memory.rank[other] else -1
+                return other if rank < memory.rank[other] else NONE
         if worst < 0 or memory.rank[other] > memory.rank[worst]:
             worst = other
     if free >= 0:
         return free
-    return worst if rank < memory.rank[worst] else -1
+    return worst if rank < memory.rank[worst] else NONE
 
 
-@inner_kernel
+@small_kernel
 def _go_on(memory: SearchMemory, node: int, child: int, mask: int, duration: float) -> None:
     """Write the state after a column."""
     for lane in range(memory.lanes):

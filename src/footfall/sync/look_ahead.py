@@ -6,6 +6,10 @@ A way that ends before the horizon is a last resort: behind it somebody must be 
 
 from __future__ import annotations
 
+from typing import cast
+
+import numpy as np
+
 from footfall.compilation import inner_kernel
 from footfall.support import Support
 from footfall.sync.branching import expand
@@ -22,6 +26,9 @@ HORIZON = 2.0
 """How far the search looks ahead [s]."""
 
 FLIGHT = int(Support.FLIGHT)
+
+# A typed number: a literal would have everything that it is passed to compiled twice.
+NOWHERE = cast(int, np.int64(-1))
 
 LIGHTEST = 1e-6
 """Leg weight of an action without any [share]: it follows, and must not be divided by."""
@@ -106,7 +113,7 @@ def choose_path(table: SequenceTable, memory: SearchMemory) -> tuple[int, bool]:
         reaches the horizon.
     """
     while True:
-        node = -1
+        node = NOWHERE
         for other in range(NODES):
             open_end = memory.time[other] < HORIZON and memory.depth[other] < DEEPEST
             if (
@@ -122,12 +129,12 @@ def choose_path(table: SequenceTable, memory: SearchMemory) -> tuple[int, bool]:
             memory.time[node] = HORIZON
             continue
         if expand(table, memory, node) == 0 and _best(memory) < 0:
-            return (node if memory.depth[node] > 0 else -1), False
+            return (node if memory.depth[node] > 0 else NOWHERE), False
 
 
 @inner_kernel
 def _best(memory: SearchMemory) -> int:
-    best = -1
+    best = NOWHERE
     for node in range(NODES):
         if memory.alive[node] and (best < 0 or memory.rank[node] < memory.rank[best]):
             best = node

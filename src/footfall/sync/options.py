@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import math
+from typing import cast
 
-from footfall.compilation import inner_kernel
+import numpy as np
+
+from footfall.compilation import inner_kernel, small_kernel
 from footfall.support import Support
 from footfall.sync.prices import GREATEST_RATE, LEAST_RATE, SOON
 from footfall.sync.search_memory import SearchMemory
@@ -13,6 +16,9 @@ from footfall.sync.tables import SequenceTable
 __all__ = ["bounds_of", "disagreement", "has_branch", "open_node", "sets_to_try"]
 
 FLIGHT, CONFLICT = int(Support.FLIGHT), int(Support.CONFLICT)
+
+# A typed number: a literal would have everything that it is passed to compiled twice.
+ROOT = cast(int, np.int64(0))
 
 ENDED = -1.0
 """The vote of an action that has ended."""
@@ -94,10 +100,10 @@ def has_branch(table: SequenceTable, memory: SearchMemory, lanes: int) -> bool:
     """Return whether the first lanes, without the others, can go on from the root."""
     kept = memory.lanes
     memory.lanes = lanes
-    open_node(table, memory, 0)
+    open_node(table, memory, ROOT)
     found = False
     for index in range(sets_to_try(memory)):
-        if not found and bounds_of(memory, 0, memory.masks[index])[0]:
+        if not found and bounds_of(memory, ROOT, memory.masks[index])[0]:
             found = True
     memory.lanes = kept
     return found
@@ -139,7 +145,7 @@ def _without_conflict(memory: SearchMemory, mask: int) -> int:
     return mask
 
 
-@inner_kernel
+@small_kernel
 def bounds_of(memory: SearchMemory, node: int, mask: int) -> tuple[bool, int, float, float]:
     """Return whether a set may go on, the support then, and when that is at the soonest, latest."""
     combined = grounded = memory.whole

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 
-from footfall.compilation import inner_kernel
+from footfall.compilation import small_kernel
 from footfall.support import Support
 
 __all__ = [
@@ -61,7 +61,7 @@ TIME_VALUE = 0.5
 """What a second of a good schedule costs: by it states at different times are compared."""
 
 
-@inner_kernel
+@small_kernel
 def stretch_cost(stretch: float, support: int, weight: float) -> float:
     """Return the cost of playing a phase `stretch` times as long as at its own speed."""
     octaves = abs(math.log2(stretch))
