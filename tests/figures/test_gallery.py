@@ -11,6 +11,7 @@ from pathlib import Path
 
 import pytest
 from tests.figures.drawn import SVG, cast, drawn, picture
+from tests.figures.marks import NUMBER, count, others
 
 from footfall.figures import DRAWINGS, Cast, write_gallery
 from footfall.figures.animations import ANIMATIONS
@@ -18,7 +19,10 @@ from footfall.figures.gallery import COMMAND, gallery_text
 from footfall.view.text_width import text_width
 
 GALLERY = Path(__file__).parents[2] / "docs" / "gallery"
-NUMBER = re.compile(r"-?\d+(?:\.\d+)?")
+SEARCHED = (15, 16, 18)
+"""Figures whose character acts on what it is doing: where two ways of going on are as good as each
+other, what a processor rounds decides, and a foot stands some pixels elsewhere from then on."""
+
 every_figure = pytest.mark.parametrize("number", DRAWINGS)
 
 
@@ -27,33 +31,49 @@ def test_there_is_a_figure_for_every_number_but_the_first() -> None:
     assert [drawn(number).number for number in DRAWINGS] == list(DRAWINGS)
 
 
-def assert_same_but_for_rounding(one: str, other: str, tolerance: float) -> None:
-    """Compare texts word by word; numbers may differ by what another processor rounds."""
-    assert NUMBER.sub("#", one) == NUMBER.sub("#", other)
-    pairs = zip(NUMBER.findall(one), NUMBER.findall(other), strict=True)
-    assert max((abs(float(a) - float(b)) for a, b in pairs), default=0.0) <= tolerance
-
-
 @every_figure
 def test_a_committed_picture_is_what_is_drawn(number: int) -> None:
     figure = drawn(number)
     committed = (GALLERY / f"{figure.stem}.svg").read_text(encoding="utf-8")
-    assert_same_but_for_rounding(committed, figure.svg, 1.0)
+    assert others(committed, figure.svg, 15.0 if number in SEARCHED else 1.0) <= (
+        0.05 * count(figure.svg) if number in SEARCHED else 0
+    )
 
 
 def test_a_picture_that_is_another_one_is_noticed() -> None:
-    with pytest.raises(AssertionError):
-        assert_same_but_for_rounding(drawn(2).svg, drawn(3).svg, 1.0)
-    with pytest.raises(AssertionError):
-        assert_same_but_for_rounding('x="12.5"', 'x="13.6"', 1.0)
-    assert_same_but_for_rounding('x="12.5"', 'x="12.6"', 1.0)
+    assert others(drawn(2).svg, drawn(3).svg, 1.0) > 0
+    assert others(drawn(15).svg, drawn(16).svg, 15.0) > 0.5 * count(drawn(15).svg)
+
+
+def test_a_mark_that_moved_or_is_missing_or_looks_otherwise_is_noticed() -> None:
+    svg = '<svg><g stroke="red"/><polygon points="1,2 5,2 1,9"/><text x="12.5">a 3</text></svg>'
+    assert count(svg) == 4
+    assert others(svg, svg.replace("12.5", "12.6").replace("1,2 5,2", "5,2 1,2 1,2"), 1.0) == 0
+    for was, now in (("12.5", "13.6"), ("5,2", "7,2"), ("a 3", "a 5"), ("a 3", "b 3"), ("red", "")):
+        assert others(svg, svg.replace(was, now), 1.0) >= 1
+    assert others(svg, svg.replace('<g stroke="red"/>', ""), 1.0) == 1
+
+
+def assert_same_facts(one: str, other: str) -> None:
+    """Compare pages word by word; what was measured may differ by what two processors do."""
+    assert NUMBER.sub("#", one) == NUMBER.sub("#", other)
+    for line, like in zip(one.splitlines(), other.splitlines(), strict=True):
+        for a, b in zip(NUMBER.findall(line), NUMBER.findall(like), strict=True):
+            measured = line.startswith("- ")
+            assert abs(float(a) - float(b)) <= (max(0.2, 0.1 * abs(float(a))) if measured else 0.0)
 
 
 def test_the_committed_page_is_what_is_written() -> None:
     figures = tuple(drawn(number) for number in DRAWINGS)
     text = gallery_text(figures, cast(), animations=False)
-    committed = (GALLERY / "README.md").read_text(encoding="utf-8")
-    assert_same_but_for_rounding(committed, text, 0.2)
+    assert_same_facts((GALLERY / "README.md").read_text(encoding="utf-8"), text)
+
+
+def test_another_fact_is_noticed() -> None:
+    assert_same_facts("## 3\n- at 3.0 s, 9.2 cm", "## 3\n- at 3.1 s, 8.8 cm")
+    for other in ("## 4\n- at 3.0 s, 9.2 cm", "## 3\n- at 3.4 s, 9.2 cm", "## 3\n- at 3.0 s, 8 m"):
+        with pytest.raises(AssertionError):
+            assert_same_facts("## 3\n- at 3.0 s, 9.2 cm", other)
 
 
 def test_nothing_else_is_committed_and_the_page_names_its_command() -> None:
