@@ -108,10 +108,13 @@ def test_the_skin_lies_around_the_skeleton(decoded: Decoded) -> None:
     for primitive in decoded.document["meshes"][0]["primitives"]:
         attributes = primitive["attributes"]
         places = decoded.array(attributes["POSITION"])
-        joints = decoded.array(attributes["JOINTS_0"])[:, 0]
+        joints = decoded.array(attributes["JOINTS_0"])
         weights = decoded.array(attributes["WEIGHTS_0"])
-        np.testing.assert_array_equal(weights, np.tile([255, 0, 0, 0], (len(places), 1)))
-        local = places + inverse[joints, 3, :3]
+        np.testing.assert_array_equal(weights.sum(axis=1, dtype=np.int64), 255)
+        assert (weights[:, 0] >= weights[:, 1]).all()
+        assert not weights[:, 2:].any()
+        assert not joints[weights == 0].any()
+        local = places + inverse[joints[:, 0], 3, :3]
         assert np.linalg.norm(local, axis=-1).max() < 0.55
         assert decoded.array(primitive["indices"]).max() == len(places) - 1
 

@@ -10,6 +10,7 @@ from tests.io.small_biped import biped_clip
 
 from footfall.errors import FileFormatError
 from footfall.io import load, save
+from footfall.io.clip_mannequin import clip_mannequin
 from footfall.motion import Clip
 from footfall.skeleton import Skeleton
 
@@ -81,6 +82,9 @@ def test_the_mannequin_is_posed_by_the_animation(tmp_path: Path) -> None:
     assert np.ptp(points[:, 1]) > 1.4
     away = np.linalg.norm(points[:, np.newaxis] - joints, axis=-1).min(axis=1)
     assert away.max() < 0.35
+    rotations, positions = clip.world_poses()
+    placed = clip_mannequin(clip).placed(rotations[30], positions[30])
+    np.testing.assert_allclose(points, placed, atol=1e-4)
 
 
 def test_nothing_is_written_into_a_missing_folder(tmp_path: Path) -> None:

@@ -10,9 +10,8 @@ import numpy as np
 
 from footfall.arrays import Floats, Indices
 from footfall.figures.way import Way
-from footfall.geometry import rotate
 from footfall.io.flat_toes import flat_toe_turns
-from footfall.io.mannequin import Tone, mannequin
+from footfall.io.mannequin import Mannequin, Tone, mannequin
 from footfall.report import RATE, Trace
 from footfall.skeleton import Skeleton
 from footfall.view.svg import Picture
@@ -34,12 +33,11 @@ _EDGE = "#4b525c"
 
 @dataclass(frozen=True, eq=False)
 class _Limb:
-    """What moves with one joint and has one color."""
+    """What moves most with one joint and has one color."""
 
-    joint: int
     tone: Tone
-    vertices: Floats
-    """In the joint's frame [m], shape (vertices, 3)."""
+    vertices: Indices
+    """Of the mannequin; where a surface bends, with those that the next joint moves first."""
 
 
 class Silhouettes:
@@ -56,13 +54,8 @@ class Silhouettes:
         """
         turns = flat_toe_turns(trace.anatomy, trace.rotations, trace.positions)
         body = mannequin(skeleton, trace.anatomy, turns)
-        corners = body.triangles.reshape(-1)
-        tones = np.zeros(len(body.positions), dtype=np.int64)
-        tones[corners] = np.repeat(body.tones, 3)
-        self._limbs = [
-            _Limb(joint, Tone(tone), body.positions[members])
-            for joint, tone, members in _groups(body.joints, tones)
-        ]
+        self._body = body
+        self._limbs = _limbs(body)
         self._trace, self._way, self._base = trace, way, base
 
     def draw(self, picture: Picture, frame: int) -> None:
@@ -70,9 +63,9 @@ class Silhouettes:
         trace, way = self._trace, self._way
         index = min(round(frame / RATE * trace.fps), trace.frames - 1)
         shapes: list[tuple[float, Tone, list[tuple[float, float]]]] = []
+        vertices = self._body.placed(trace.rotations[index], trace.positions[index])
         for limb in self._limbs:
-            turned = rotate(trace.rotations[index, limb.joint], limb.vertices)
-            places = trace.positions[index, limb.joint] + turned
+            places = vertices[limb.vertices]
             flat = np.column_stack(
                 [
                     way.x(0.0) + way.stage.along(places) * way.scale,
@@ -88,12 +81,17 @@ class Silhouettes:
         picture.close("g")
 
 
-def _groups(joints: Indices, tones: Indices) -> list[tuple[int, int, Indices]]:
-    """Return joint, tone and vertices of each limb."""
-    keys = sorted(set(zip(joints.tolist(), tones.tolist(), strict=True)))
-    return [
-        (joint, tone, np.flatnonzero((joints == joint) & (tones == tone))) for joint, tone in keys
-    ]
+def _limbs(body: Mannequin) -> list[_Limb]:
+    """Return the limbs in the order of their joints."""
+    joints = body.joints[body.triangles]
+    limbs: list[_Limb] = []
+    for joint in np.unique(joints).tolist():
+        moved = (joints == joint).any(axis=1)
+        limbs += [
+            _Limb(Tone(tone), np.unique(body.triangles[moved & (body.tones == tone)]))
+            for tone in np.unique(body.tones[moved]).tolist()
+        ]
+    return limbs
 
 
 def _outline(points: Floats) -> list[tuple[float, float]]:

@@ -8,11 +8,12 @@ from functools import cached_property
 
 import numpy as np
 
-from footfall.arrays import Positions
+from footfall.arrays import Floats, Indices, Positions
 from footfall.io.lofts import Loft
 from footfall.skeleton import Anatomy, BodyPart, Skeleton
+from footfall.skeleton.landmarks import rest_positions
 
-__all__ = ["BodyPlan", "Limb", "Tone", "across_axis", "unit"]
+__all__ = ["BodyPlan", "Limb", "RingJoints", "Tone", "across_axis", "unit"]
 
 
 class Tone(IntEnum):
@@ -27,8 +28,22 @@ class Tone(IntEnum):
 
 
 @dataclass(frozen=True, eq=False)
+class RingJoints:
+    """The two joints that move each ring of a loft that bends."""
+
+    joints: Indices
+    """The joint that moves a ring most, shape (rings,)."""
+
+    others: Indices
+    """The other one; the same where one joint alone moves the ring, shape (rings,)."""
+
+    shares: Floats
+    """The share of the other one, 0 to 0.5, shape (rings,)."""
+
+
+@dataclass(frozen=True, eq=False)
 class Limb:
-    """A loft that moves with a joint."""
+    """A loft that moves with a joint, or bends with several."""
 
     joint: int
     tone: Tone
@@ -36,6 +51,8 @@ class Limb:
     """In the joint's frame."""
     segments: int = 14
     """Vertices around."""
+    bends: RingJoints | None = None
+    """None: all of it moves with the joint."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -48,11 +65,7 @@ class BodyPlan:
     @cached_property
     def rest(self) -> Positions:
         """Joints at rest, the pelvis at the origin [m], shape (joints, 3)."""
-        positions = np.zeros((self.skeleton.count, 3))
-        for joint, parent in enumerate(self.skeleton.parents.tolist()):
-            if parent >= 0:
-                positions[joint] = positions[parent] + self.skeleton.rest_offsets[joint]
-        return positions
+        return rest_positions(self.skeleton)
 
     @cached_property
     def stature(self) -> float:
@@ -97,10 +110,27 @@ class BodyPlan:
         return self.path(0, trunk[-1]) if trunk else (0,)
 
     @cached_property
+    def skull(self) -> int | None:
+        """The joint that carries the head; in some bodies that is the only one of the neck."""
+        if self.anatomy.head is not None:
+            return self.anatomy.head
+        end = self.trunk_path[-1]
+        lone = [
+            joint
+            for joint in self.skeleton.children(end)
+            if self.anatomy.parts[joint] == BodyPart.TRUNK and not self.skeleton.children(joint)
+        ]
+        legs = self.anatomy.legs
+        rise = sum((self.rest[leg.hip] - self.rest[leg.knee] for leg in legs), np.zeros(3))
+        rises = [float(self.skeleton.rest_offsets[joint] @ unit(rise)) for joint in lone]
+        found = max(zip(rises, lone, strict=True), default=(0.0, 0))
+        return found[1] if found[0] > 0.03 * self.stature else None
+
+    @cached_property
     def neck_path(self) -> tuple[int, ...]:
         """Joints from the lower end of the neck up to the skull; empty without a head."""
         if self.anatomy.head is None:
-            return ()
+            return () if self.skull is None else (self.skull,)
         path = self.path(0, self.anatomy.head)
         above = [joint for joint in path if self.anatomy.parts[joint] == BodyPart.HEAD]
         return tuple(above) or path[-1:]

@@ -1,17 +1,14 @@
-"""The mannequin of a clip, as the files that show it have it: its colors and its rest pose."""
+"""The mannequin of a clip, as the files that show it have it, and its colors."""
 
 from __future__ import annotations
 
-import numpy as np
-
-from footfall.arrays import Positions
 from footfall.errors import SkeletonError
 from footfall.io.flat_toes import flat_toe_turns
 from footfall.io.mannequin import Mannequin, Tone, mannequin
 from footfall.motion import Clip
-from footfall.skeleton import Skeleton, find_anatomy
+from footfall.skeleton import find_anatomy
 
-__all__ = ["COLORS", "clip_mannequin", "rest_positions"]
+__all__ = ["COLORS", "clip_mannequin"]
 
 COLORS = {
     Tone.BODY: (0.66, 0.64, 0.60),
@@ -31,12 +28,3 @@ def clip_mannequin(clip: Clip) -> Mannequin:
     except SkeletonError:
         return mannequin(clip.skeleton, None)
     return mannequin(clip.skeleton, anatomy, flat_toe_turns(anatomy, *clip.world_poses()))
-
-
-def rest_positions(skeleton: Skeleton) -> Positions:
-    """Return where the joints are when none is turned [m], shape (joints, 3)."""
-    positions = np.zeros((skeleton.count, 3))
-    for joint, parent in enumerate(skeleton.parents.tolist()):
-        if parent >= 0:
-            positions[joint] = positions[parent] + skeleton.rest_offsets[joint]
-    return positions

@@ -9,12 +9,13 @@ import numpy as np
 
 from footfall.geometry import continuous
 from footfall.io.atomic import write_atomically
-from footfall.io.clip_mannequin import COLORS, clip_mannequin, rest_positions
+from footfall.io.clip_mannequin import COLORS, clip_mannequin
 from footfall.io.gltf_animation import animation_record
 from footfall.io.gltf_buffers import ARRAY_BUFFER, ELEMENT_ARRAY_BUFFER, BufferBuilder, glb_bytes
 from footfall.io.mannequin import Mannequin, Tone
 from footfall.motion import Clip
 from footfall.skeleton import Skeleton
+from footfall.skeleton.landmarks import rest_positions
 
 __all__ = ["save_gltf"]
 
@@ -97,15 +98,18 @@ def _material(tone: Tone) -> dict[str, Any]:
 def _primitives(
     surface: Mannequin, skeleton: Skeleton, buffers: BufferBuilder
 ) -> list[dict[str, Any]]:
-    """Return a primitive a material, each vertex bound to one joint."""
+    """Return a primitive a material, each vertex bound to two joints at most."""
     places = surface.positions + rest_positions(skeleton)[surface.joints]
     primitives: list[dict[str, Any]] = []
     for material, tone in enumerate(_tones(surface)):
         used, triangles = np.unique(surface.triangles[surface.tones == tone], return_inverse=True)
         joints = np.zeros((len(used), 4), dtype=np.int64)
+        weights = np.zeros((len(used), 4), dtype=np.int64)
+        weights[:, 1] = np.rint(255.0 * surface.shares[used])
+        weights[:, 0] = 255 - weights[:, 1]
         joints[:, 0] = surface.joints[used]
-        weights = np.zeros((len(used), 4))
-        weights[:, 0] = 255
+        # A joint without a weight has to be joint 0 [glTF 2.0, 3.7.3.1].
+        joints[:, 1] = np.where(weights[:, 1] > 0, surface.others[used], 0)
         attributes = {
             "POSITION": buffers.add(places[used], "f4", target=ARRAY_BUFFER, bounds=True),
             "NORMAL": buffers.add(surface.normals[used], "f4", target=ARRAY_BUFFER),

@@ -8,7 +8,7 @@ import numpy as np
 
 from footfall.arrays import Floats, Indices, Positions
 
-__all__ = ["Loft", "Surface", "capsule", "ellipsoid", "loft_surface"]
+__all__ = ["Loft", "Surface", "capsule", "ellipsoid", "loft_surface", "vertex_rings"]
 
 _DOME = np.radians([-90.0, -60.0, -30.0, 0.0])
 
@@ -91,6 +91,11 @@ def loft_surface(loft: Loft, segments: int) -> Surface:
     positions = np.concatenate([rings.reshape(-1, 3), loft.centers[[0]], loft.centers[[-1]]])
     triangles = _triangles(len(rings), segments)
     return Surface(positions, _normals(positions, triangles), triangles)
+
+
+def vertex_rings(rings: int, segments: int) -> Indices:
+    """Return the ring of a loft that each vertex of its surface lies on, shape (vertices,)."""
+    return np.concatenate([np.repeat(np.arange(1, rings - 1), segments), [0, rings - 1]])
 
 
 def _triangles(rings: int, segments: int) -> Indices:

@@ -1,9 +1,9 @@
 """A mannequin of a skeleton's own size, so that a motion without a skin shows something.
 
-Each limb moves rigidly with one joint; limbs overlap in round ends, so that no bend opens a
-gap. Proportions follow the skeleton where it says something and adults (segment girths as
-shares of stature) where it does not. Joints that are no part of a body plan, such as twist
-joints, props and rig handles, get no limb.
+The torso is one surface that bends with the spine. A limb moves with one joint; limbs meet in
+balls of one size, so that elbows and knees stay round at any bend. Proportions follow the skeleton
+where it says something and adults (segment girths as shares of stature) where it does not. Joints
+that are no part of a body plan, such as twist joints, props and rig handles, get no limb.
 """
 
 from __future__ import annotations
@@ -12,12 +12,15 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from footfall.arrays import Indices, Positions, Rotations
+from footfall.arrays import Floats, Indices, Positions, Rotations
+from footfall.geometry import rotate
 from footfall.io.body_plan import BodyPlan, Limb, Tone
-from footfall.io.lofts import Loft, capsule, loft_surface
+from footfall.io.lofts import Loft, capsule, loft_surface, vertex_rings
+from footfall.io.mannequin_head import head_limbs
 from footfall.io.mannequin_limbs import arm_limbs, leg_limbs
-from footfall.io.mannequin_trunk import head_limbs, trunk_limbs
+from footfall.io.mannequin_torso import torso_limb
 from footfall.skeleton import Anatomy, Skeleton
+from footfall.skeleton.landmarks import rest_positions
 
 __all__ = ["Mannequin", "Tone", "mannequin"]
 
@@ -33,13 +36,40 @@ class Mannequin:
     """Unit normals in the frames of their joints, shape (vertices, 3)."""
 
     joints: Indices
-    """The joint that each vertex moves with, shape (vertices,)."""
+    """The joint that each vertex moves with most, shape (vertices,)."""
+
+    others: Indices
+    """Another joint that moves it too, or the same, shape (vertices,)."""
+
+    shares: Floats
+    """The share of the other joint, 0 to 0.5, shape (vertices,)."""
 
     triangles: Indices
     """Vertex indices, counterclockwise from outside, shape (triangles, 3)."""
 
     tones: Indices
     """The `Tone` of each triangle, shape (triangles,)."""
+
+    limbs: Indices
+    """The number of the limb of each triangle, shape (triangles,)."""
+
+    rest: Positions
+    """Where the joints are at rest, where their frames are parallel [m], shape (joints, 3)."""
+
+    def placed(self, rotations: Rotations, positions: Positions) -> Positions:
+        """Return the vertices of a posed body, each between where its two joints take it.
+
+        Args:
+            rotations: Of the joints in the world, shape (joints, 4).
+            positions: The joints [m], shape (joints, 3).
+
+        Returns:
+            Vertices in the world [m], shape (vertices, 3).
+        """
+        carried = self.positions + self.rest[self.joints] - self.rest[self.others]
+        own = positions[self.joints] + rotate(rotations[self.joints], self.positions)
+        other = positions[self.others] + rotate(rotations[self.others], carried)
+        return own + self.shares[:, np.newaxis] * (other - own)
 
 
 def mannequin(
@@ -58,8 +88,8 @@ def mannequin(
     if anatomy is not None:
         plan = BodyPlan(skeleton, anatomy)
         turns = np.tile([1.0, 0.0, 0.0, 0.0], (2, 1)) if toe_turns is None else toe_turns
-        limbs = (*trunk_limbs(plan), *head_limbs(plan), *leg_limbs(plan, turns), *arm_limbs(plan))
-    return _joined(limbs)
+        limbs = (torso_limb(plan), *head_limbs(plan), *leg_limbs(plan, turns), *arm_limbs(plan))
+    return _joined(limbs, rest_positions(skeleton))
 
 
 def _plain_limbs(skeleton: Skeleton) -> tuple[Limb, ...]:
@@ -88,14 +118,31 @@ def _bone(offset: Positions) -> Loft:
     return capsule(np.zeros(3), offset, radius, 0.8 * radius)
 
 
-def _joined(limbs: tuple[Limb, ...]) -> Mannequin:
+def _joined(limbs: tuple[Limb, ...], rest: Positions) -> Mannequin:
     surfaces = [loft_surface(limb.loft, limb.segments) for limb in limbs]
     counts = [len(surface.positions) for surface in surfaces]
+    faces = [len(surface.triangles) for surface in surfaces]
     starts = np.concatenate([[0], np.cumsum(counts)[:-1]])
+    moving = [_vertex_joints(limb) for limb in limbs]
+    joints = np.concatenate([joints for joints, _, _ in moving])
+    places = np.concatenate([surface.positions for surface in surfaces])
     return Mannequin(
-        np.concatenate([surface.positions for surface in surfaces]),
+        places + rest[np.repeat([limb.joint for limb in limbs], counts)] - rest[joints],
         np.concatenate([surface.normals for surface in surfaces]),
-        np.repeat([limb.joint for limb in limbs], counts),
+        joints,
+        np.concatenate([others for _, others, _ in moving]),
+        np.concatenate([shares for _, _, shares in moving]),
         np.concatenate([s.triangles + start for s, start in zip(surfaces, starts, strict=True)]),
-        np.repeat([limb.tone for limb in limbs], [len(s.triangles) for s in surfaces]),
+        np.repeat([limb.tone for limb in limbs], faces),
+        np.repeat(np.arange(len(limbs)), faces),
+        rest,
     )
+
+
+def _vertex_joints(limb: Limb) -> tuple[Indices, Indices, Floats]:
+    """Return what moves each vertex of a limb: a joint, another one, the share of the other."""
+    rings = vertex_rings(len(limb.loft.centers), limb.segments)
+    if limb.bends is None:
+        joints = np.full(len(rings), limb.joint, dtype=np.int64)
+        return joints, joints, np.zeros(len(rings))
+    return limb.bends.joints[rings], limb.bends.others[rings], limb.bends.shares[rings]

@@ -16,7 +16,7 @@ __all__ = ["arm_limbs", "leg_limbs"]
 
 # Radii as shares of stature.
 _HIP, _KNEE, _ANKLE = 0.047, 0.031, 0.021
-_CLAVICLE, _SHOULDER, _ELBOW, _WRIST, _FINGER = 0.027, 0.028, 0.021, 0.015, 0.0052
+_CLAVICLE, _SHOULDER, _ELBOW, _WRIST, _FINGER = 0.026, 0.030, 0.021, 0.015, 0.0052
 
 
 def leg_limbs(plan: BodyPlan, toe_turns: Rotations) -> tuple[Limb, ...]:

@@ -13,10 +13,11 @@ from footfall.arrays import Floats, Positions
 from footfall.extras import extra_module
 from footfall.geometry import continuous
 from footfall.io.atomic import write_atomically
-from footfall.io.clip_mannequin import COLORS, clip_mannequin, rest_positions
+from footfall.io.clip_mannequin import COLORS, clip_mannequin
 from footfall.io.mannequin import Tone
 from footfall.motion import Clip
 from footfall.skeleton import Skeleton
+from footfall.skeleton.landmarks import rest_positions
 
 __all__ = ["save_usd"]
 
@@ -114,7 +115,7 @@ def _animation(stage: Any, clip: Clip, pxr: Any) -> Any:
 
 
 def _mannequin(stage: Any, clip: Clip, skeleton: Any, pxr: Any) -> None:
-    """Define the mesh of the mannequin, each vertex bound to one joint."""
+    """Define the mesh of the mannequin, each vertex bound to two joints."""
     surface = clip_mannequin(clip)
     places = surface.positions + rest_positions(clip.skeleton)[surface.joints]
     mesh = pxr["UsdGeom"].Mesh.Define(stage, "/Body/Mannequin")
@@ -127,8 +128,10 @@ def _mannequin(stage: Any, clip: Clip, skeleton: Any, pxr: Any) -> None:
     mesh.CreateExtentAttr(_vectors(np.stack([places.min(axis=0), places.max(axis=0)]), pxr))
     binding = pxr["UsdSkel"].BindingAPI.Apply(mesh.GetPrim())
     binding.CreateSkeletonRel().SetTargets([skeleton.GetPath()])
-    binding.CreateJointIndicesPrimvar(False, 1).Set(surface.joints.tolist())
-    binding.CreateJointWeightsPrimvar(False, 1).Set([1.0] * len(places))
+    joints = np.stack([surface.joints, surface.others], axis=-1)
+    weights = np.stack([1.0 - surface.shares, surface.shares], axis=-1)
+    binding.CreateJointIndicesPrimvar(False, 2).Set(joints.reshape(-1).tolist())
+    binding.CreateJointWeightsPrimvar(False, 2).Set(weights.reshape(-1).tolist())
     binding.CreateGeomBindTransformAttr(pxr["Gf"].Matrix4d(1.0))
     for tone in np.unique(surface.tones).tolist():
         faces = np.flatnonzero(surface.tones == tone).tolist()

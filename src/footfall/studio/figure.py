@@ -1,14 +1,14 @@
-"""A body in the 3D scene: its mannequin, a node a limb, moved by what the engine returns."""
+"""A body in the 3D scene: its mannequin, a node a limb; its torso bends in the browser."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 
 import numpy as np
-from viser import MeshHandle, SceneApi
+from viser import MeshHandle, MeshSkinnedHandle, SceneApi
 
-from footfall.arrays import Floats, Indices, Positions, Rotations
-from footfall.io.mannequin import Tone, mannequin
+from footfall.arrays import Flags, Floats, Indices, Positions, Rotations
+from footfall.io.mannequin import Mannequin, Tone, mannequin
 from footfall.skeleton import Anatomy, Skeleton
 
 __all__ = ["Figure", "between"]
@@ -61,10 +61,12 @@ class Figure:
         self._planted: tuple[bool, bool] | None = None
         self._ghostly = ghostly
         surface = mannequin(skeleton, anatomy)
-        # Limbs share no vertex: a triangle's tone and joint are those of its first one.
+        self._torsos = _bent(scene, name, surface, ghostly)
+        # Limbs share no vertex: a triangle's joint is that of its first one.
         joints: Indices = surface.joints[surface.triangles[:, 0]]
+        joints = np.where(_bends(surface), -1, joints)
         self._parts: list[_Part] = []
-        for joint in np.unique(joints).tolist():
+        for joint in np.unique(joints[joints >= 0]).tolist():
             for tone in np.unique(surface.tones[joints == joint]).tolist():
                 chosen = surface.triangles[(joints == joint) & (surface.tones == tone)]
                 used, faces = np.unique(chosen, return_inverse=True)
@@ -83,6 +85,10 @@ class Figure:
         for part in self._parts:
             part.node.position = positions[part.joint]
             part.node.wxyz = rotations[part.joint]
+        for node, moving in self._torsos:
+            for bone, joint in zip(node.bones, moving.tolist(), strict=True):
+                bone.position = positions[joint]
+                bone.wxyz = rotations[joint]
 
     def plant(self, left: bool, right: bool) -> None:
         """Paint the feet that carry."""
@@ -95,8 +101,45 @@ class Figure:
                 part.node.color = PLANTED[part.tone] if carries else COLORS[part.tone]
 
     def remove(self) -> None:
-        """Take it out of the scene."""
-        self.root.remove()
+        """Take it out of the scene; where what bends leaves it, the library's page breaks."""
+        self.root.visible = False
+        for part in self._parts:
+            part.node.remove()
+
+
+def _bends(surface: Mannequin) -> Flags:
+    """Return which triangles are of a limb that bends, shape (triangles,)."""
+    shared = (surface.shares[surface.triangles] > 0.0).any(axis=1)
+    bending = np.zeros(int(surface.limbs.max()) + 1, dtype=np.bool_)
+    bending[surface.limbs[shared]] = True
+    return bending[surface.limbs]
+
+
+def _bent(
+    scene: SceneApi, name: str, surface: Mannequin, ghostly: bool
+) -> list[tuple[MeshSkinnedHandle, Indices]]:
+    """Put what bends into the scene: each node, and the joints that bend it."""
+    chosen = _bends(surface)
+    if not chosen.any():
+        return []
+    used, faces = np.unique(surface.triangles[chosen], return_inverse=True)
+    weights = np.zeros((len(used), len(surface.rest)))
+    every = np.arange(len(used))
+    np.add.at(weights, (every, surface.joints[used]), 1.0 - surface.shares[used])
+    np.add.at(weights, (every, surface.others[used]), surface.shares[used])
+    moving = np.flatnonzero(weights.any(axis=0))
+    node = scene.add_mesh_skinned(
+        f"{name}/torso",
+        (surface.positions + surface.rest[surface.joints])[used].astype(np.float32),
+        faces.reshape(-1, 3),
+        bone_wxyzs=np.tile([1.0, 0.0, 0.0, 0.0], (len(moving), 1)),
+        bone_positions=surface.rest[moving],
+        skin_weights=weights[:, moving],
+        color=GHOST if ghostly else COLORS[Tone.BODY],
+        cast_shadow=not ghostly,
+        receive_shadow=False,
+    )
+    return [(node, moving)]
 
 
 def between(first: Floats, second: Floats, share: float) -> Floats:

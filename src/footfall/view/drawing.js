@@ -4,16 +4,20 @@ const TONES = [[0.83, 0.81, 0.78], [0.2, 0.22, 0.25], [0.55, 0.69, 0.8], [0.87, 
   [0.3, 0.42, 0.52], [0.55, 0.43, 0.3]];
 
 const BODY_VERTEX = (joints) => `#version 300 es
-uniform mat4 view; uniform float unit; uniform vec4 turned[${joints}]; uniform vec3 placed[${joints}];
+uniform mat4 view; uniform float unit; uniform vec4 turned[${joints}]; uniform vec3 placed[${joints}]; uniform vec3 rest[${joints}];
 uniform bool flat_; uniform vec3 light;
-in vec3 position; in vec3 normal; in float joint; in float tone;
+in vec3 position; in vec3 normal; in float joint; in float other; in float share; in float tone;
 out vec3 n; out vec3 p; flat out int t;
 vec3 turn(vec4 q, vec3 v) { return v + 2.0 * cross(q.yzw, cross(q.yzw, v) + q.x * v); }
 void main() {
   int j = int(joint);
+  int o = int(other);
   vec4 q = normalize(turned[j]);
-  p = placed[j] + turn(q, position * unit);
-  n = turn(q, normal / 127.0);
+  vec4 r = normalize(turned[o]);
+  float s = share / 255.0;
+  vec3 own = placed[j] + turn(q, position * unit);
+  p = mix(own, placed[o] + turn(r, (position + rest[j] - rest[o]) * unit), s);
+  n = mix(turn(q, normal), turn(r, normal), s);
   t = int(tone);
   if (flat_) p = vec3(p.x - light.x / light.y * p.y, 0.004, p.z - light.z / light.y * p.y);
   gl_Position = view * vec4(p, 1.0);

@@ -25,6 +25,9 @@ class Player {
     attribute(gl, this.body, "normal", unpack(mesh.normals, Int8Array), 3, gl.BYTE);
     attribute(gl, this.body, "joint", unpack(mesh.joints, Uint8Array), 1, gl.UNSIGNED_BYTE);
     attribute(gl, this.body, "tone", unpack(mesh.tones, Uint8Array), 1, gl.UNSIGNED_BYTE);
+    attribute(gl, this.body, "other", unpack(mesh.others, Uint8Array), 1, gl.UNSIGNED_BYTE);
+    attribute(gl, this.body, "share", unpack(mesh.shares, Uint8Array), 1, gl.UNSIGNED_BYTE);
+    this.rest = Float32Array.from(unpack(mesh.rest, Int16Array));
     const triangles = unpack(mesh.triangles, Uint16Array);
     this.count = triangles.length;
     gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, gl.createBuffer());
@@ -121,6 +124,7 @@ class Player {
     gl.uniform1f(at("unit"), data.mesh.unit);
     gl.uniform4fv(at("turned"), pose.turned);
     gl.uniform3fv(at("placed"), pose.placed);
+    gl.uniform3fv(at("rest"), this.rest);
     gl.uniform3fv(at("light"), LIGHT);
     gl.uniform3fv(at("eye"), eye);
     gl.uniform3fv(at("tones"), TONES.flat());

@@ -33,13 +33,18 @@ def player_json(takes: Sequence[tuple[str, Trace]], skeleton: Skeleton, timeline
     last = takes[-1][1]
     turns = flat_toe_turns(last.anatomy, last.rotations, last.positions)
     body = mannequin(skeleton, last.anatomy, turns)
-    joints, vertex_joints = np.unique(body.joints, return_inverse=True)
+    used = np.concatenate([body.joints, body.others])
+    joints, index = np.unique(used, return_inverse=True)
+    vertex_joints, vertex_others = index.reshape(2, -1)
     document = {
         "rate": RATE,
         "mesh": {
             "positions": _packed(body.positions / _PLACE_UNIT, "<i2"),
             "normals": _packed(body.normals * 127.0, "<i1"),
             "joints": _packed(vertex_joints, "<u1"),
+            "others": _packed(vertex_others, "<u1"),
+            "shares": _packed(body.shares * 255.0, "<u1"),
+            "rest": _packed(body.rest[joints] / _PLACE_UNIT, "<i2"),
             "tones": _packed(_vertex_tones(body.triangles, body.tones), "<u1"),
             "triangles": _packed(body.triangles, "<u2"),
             "unit": _PLACE_UNIT,
